@@ -1,0 +1,188 @@
+#include "light/tracer.h"
+
+#include <embree3/rtcore.h>
+
+#include <array>
+
+#include "base/error.h"
+#include "scene/trajectory.h"
+
+namespace strad {
+namespace {
+
+// Bodies that never move share one structure, in world coordinates; each moving body has its own, at rest.
+struct Group {
+  RTCScene scene = nullptr;
+  uint32_t body = 0;
+  bool moves = false;
+  std::vector<uint32_t> polygon_of_triangle;
+};
+
+struct LocalRay {
+  Vec3 from, direction;
+};
+
+RTCRay embree_ray(const LocalRay& local, double reach) {
+  RTCRay ray{};
+  ray.org_x = static_cast<float>(local.from.x);
+  ray.org_y = static_cast<float>(local.from.y);
+  ray.org_z = static_cast<float>(local.from.z);
+  ray.dir_x = static_cast<float>(local.direction.x);
+  ray.dir_y = static_cast<float>(local.direction.y);
+  ray.dir_z = static_cast<float>(local.direction.z);
+  ray.tfar = static_cast<float>(reach);
+  ray.mask = 0xffffffffu;
+  return ray;
+}
+
+LocalRay into(const Group& group, const std::vector<Pose>& world_from_body, Vec3 from, Vec3 direction) {
+  if (!group.moves) return {from, direction};
+  const Pose& pose = world_from_body[group.body];
+  const Quat back = conjugate(pose.rotation);
+  return {rotate(back, from - pose.translation), rotate(back, direction)};
+}
+
+}  // namespace
+
+struct Tracer::State {
+  RTCDevice device = nullptr;
+  std::vector<Group> groups;
+  std::vector<Box> body_boxes;
+  Box scene_box;
+  const Scene* scene = nullptr;
+  std::vector<Pose> static_poses;
+
+  ~State() {
+    for (const Group& group : groups) rtcReleaseScene(group.scene);
+    if (device) rtcReleaseDevice(device);
+  }
+
+  void add_group(uint32_t body, bool moves, const std::vector<bool>& belongs) {
+    Group group;
+    group.body = body;
+    group.moves = moves;
+    std::vector<std::array<float, 3>> positions;
+    for (uint32_t p = 0; p < scene->polygons.size(); ++p) {
+      const Polygon& polygon = scene->polygons[p];
+      const uint32_t owner = body_of(*scene, polygon);
+      if (!belongs[owner]) continue;
+      const auto push = [&](int corner) {
+        const Vec3 rest = scene->vertices[polygon.corners[corner]];
+        const Vec3 at = moves ? rest : static_poses[owner] * rest;
+        positions.push_back({static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)});
+      };
+      for (int t = 0; t + 2 < polygon.corner_count(); ++t) {
+        push(0), push(t + 1), push(t + 2);
+        group.polygon_of_triangle.push_back(p);
+      }
+    }
+    if (positions.empty()) return;
+    group.scene = rtcNewScene(device);
+    rtcSetSceneFlags(group.scene, RTC_SCENE_FLAG_ROBUST);
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), positions.size()));
+    auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), positions.size() / 3));
+    if (!vertices || !indices) throw IoError("out of memory for the ray tracer");
+    for (size_t i = 0; i < positions.size(); ++i) {
+      for (int axis = 0; axis < 3; ++axis) vertices[3 * i + axis] = positions[i][axis];
+      indices[i] = static_cast<uint32_t>(i);
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(group.scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(group.scene);
+    groups.push_back(std::move(group));
+  }
+
+  bool occluded(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction) const {
+    RTCRay ray = embree_ray(into(group, poses, from, direction), 1.0);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(group.scene, &context, &ray);
+    return ray.tfar < 0;
+  }
+
+  void closest(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction, double reach,
+               SurfaceHit* best) const {
+    const LocalRay local = into(group, poses, from, direction);
+    RTCRayHit query{};
+    query.ray = embree_ray(local, best->polygon == kNone ? reach : best->distance);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(group.scene, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
+    best->polygon = group.polygon_of_triangle[query.hit.primID];
+    best->distance = query.ray.tfar;
+    best->front = query.hit.Ng_x * query.ray.dir_x + query.hit.Ng_y * query.ray.dir_y +
+                      query.hit.Ng_z * query.ray.dir_z <
+                  0;
+    const Vec3 at = local.from + best->distance * local.direction;
+    const uint32_t body = body_of(*scene, scene->polygons[best->polygon]);
+    best->rest_point = group.moves || body == 0 ? at : inverse(static_poses[body]) * at;
+  }
+};
+
+Tracer::Tracer(const Scene& scene) : state_(std::make_unique<State>()) {
+  State& s = *state_;
+  s.scene = &scene;
+  s.static_poses = poses_at(scene, scene.start);
+  s.device = rtcNewDevice("set_affinity=0");
+  if (!s.device) throw IoError("the ray tracer could not be started");
+  const std::vector<bool> moving = moving_bodies(scene);
+  std::vector<bool> still(moving.size());
+  for (size_t b = 0; b < moving.size(); ++b) still[b] = !moving[b];
+  s.add_group(0, false, still);
+  for (uint32_t b = 0; b < moving.size(); ++b) {
+    if (!moving[b]) continue;
+    std::vector<bool> one(moving.size(), false);
+    one[b] = true;
+    s.add_group(b, true, one);
+  }
+  s.body_boxes.resize(scene.bodies.size());
+  for (const Polygon& polygon : scene.polygons)
+    for (int c = 0; c < polygon.corner_count(); ++c) {
+      const Vec3 at = scene.vertices[polygon.corners[c]];
+      s.body_boxes[body_of(scene, polygon)].add(at);
+      s.scene_box.add(at);
+    }
+}
+
+Tracer::~Tracer() = default;
+
+bool Tracer::occluded(const std::vector<Pose>& world_from_body, Vec3 from, Vec3 to) const {
+  for (const Group& group : state_->groups)
+    if (state_->occluded(group, world_from_body, from, to - from)) return true;
+  return false;
+}
+
+bool Tracer::occluded_by(const std::vector<Pose>& world_from_body, const std::vector<bool>& mask, Vec3 from,
+                         Vec3 to) const {
+  for (const Group& group : state_->groups)
+    if (mask[group.body] && state_->occluded(group, world_from_body, from, to - from)) return true;
+  return false;
+}
+
+SurfaceHit Tracer::closest(const std::vector<Pose>& world_from_body, Vec3 from, Vec3 direction,
+                           double reach) const {
+  SurfaceHit best;
+  for (const Group& group : state_->groups)
+    state_->closest(group, world_from_body, from, direction, reach, &best);
+  return best;
+}
+
+SurfaceHit Tracer::closest_of(const std::vector<Pose>& world_from_body, const std::vector<bool>& mask,
+                              Vec3 from, Vec3 direction, double reach) const {
+  SurfaceHit best;
+  for (const Group& group : state_->groups)
+    if (mask[group.body]) state_->closest(group, world_from_body, from, direction, reach, &best);
+  return best;
+}
+
+double Tracer::offset() const { return 1e-5 * state_->scene_box.diagonal(); }
+const Box& Tracer::body_box(uint32_t body) const { return state_->body_boxes[body]; }
+const Box& Tracer::scene_box() const { return state_->scene_box; }
+
+}  // namespace strad

@@ -1,0 +1,49 @@
+// Exact visibility at an instant: one static ray-tracing structure a body, rays carried into the frame of
+// each. The only user of Embree.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strad {
+
+struct SurfaceHit {
+  uint32_t polygon = kNone;  // kNone: nothing was hit
+  bool front = true;         // the ray came from the front side
+  double distance = 0;       // in units of the ray's direction
+  Vec3 rest_point;           // where, in rest coordinates
+};
+
+class Tracer {
+ public:
+  explicit Tracer(const Scene& scene);  // keeps a reference; thread-safe from then on
+  ~Tracer();
+  Tracer(const Tracer&) = delete;
+  Tracer& operator=(const Tracer&) = delete;
+
+  // Is anything strictly between two world points? Callers lift end points off their surfaces by `offset()`
+  // along the normal on the side that counts.
+  bool occluded(const std::vector<Pose>& world_from_body, Vec3 from, Vec3 to) const;
+  // The same for the bodies with mask[body] only.
+  bool occluded_by(const std::vector<Pose>& world_from_body, const std::vector<bool>& mask, Vec3 from,
+                   Vec3 to) const;
+
+  // Nearest surface along `direction` (unit length) no farther than `reach`.
+  SurfaceHit closest(const std::vector<Pose>& world_from_body, Vec3 from, Vec3 direction,
+                     double reach = 1e30) const;
+  SurfaceHit closest_of(const std::vector<Pose>& world_from_body, const std::vector<bool>& mask, Vec3 from,
+                        Vec3 direction, double reach) const;
+
+  double offset() const;                     // m: 1e-5 of the scene's diagonal
+  const Box& body_box(uint32_t body) const;  // rest
+  const Box& scene_box() const;              // rest
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace strad

@@ -1,0 +1,63 @@
+// The mesh of the solution: one for all instants, in rest coordinates, refined where light varies at any
+// time.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/vec.h"
+#include "scene/scene.h"
+
+namespace strad {
+
+// Vertices carry hierarchical surpluses: value = mean of the parents' values + the vertex's own function.
+// Parents come before their children. 0 parents: a corner of a polygon; 2: middle of an edge; 4: middle of a
+// quad.
+struct MeshVertex {
+  uint32_t parents[4] = {kNone, kNone, kNone, kNone};
+  Vec3 position;  // rest, m
+};
+
+// A quad (vertices counter-clockwise seen from the front of its polygon) or a triangle (vertices[3] ==
+// kNone). Children: child c holds corner c; the fourth child of a triangle is the middle one. With m01 the
+// middle of the edge from vertex 0 to vertex 1:
+//   quad      (v0, m01, mid, m30) (m01, v1, m12, mid) (mid, m12, v2, m23) (m30, mid, m23, v3)
+//   triangle  (v0, m01, m20) (m01, v1, m12) (m20, m12, v2) (m12, m20, m01)
+struct Element {
+  uint32_t vertices[4] = {kNone, kNone, kNone, kNone};
+  uint32_t first_child = kNone;  // four in a row; kNone: a leaf
+  int corner_count() const { return vertices[3] == kNone ? 3 : 4; }
+};
+
+// One side of a polygon that light reaches at some time.
+struct Face {
+  uint32_t polygon = 0;
+  uint32_t side = 0;     // 0 front, 1 back
+  uint32_t element = 0;  // root
+};
+
+struct Mesh {
+  std::vector<MeshVertex> vertices;
+  std::vector<Element> elements;
+  std::vector<Face> faces;
+  std::vector<uint32_t> face_of_side;  // [2 * polygon + side]: face, or kNone for a side that stays dark
+};
+
+// Parametric position of a rest point on its polygon: bilinear (u, v) of a quad with corners 0, 1, 2, 3 at
+// (0,0), (1,0), (1,1), (0,1); of a triangle p = c0 + u (c1 - c0) + v (c2 - c0). Clamped into the polygon.
+Vec2 parametric_of(const Scene& scene, const Polygon& polygon, Vec3 rest_point);
+Vec3 point_of(const Scene& scene, const Polygon& polygon, Vec2 uv);
+
+// Where an interpolated value comes from: at most four vertices and their weights (sum 1), and the leaf.
+struct MeshPoint {
+  uint32_t element = kNone;
+  uint32_t vertices[4] = {kNone, kNone, kNone, kNone};
+  float weights[4] = {0, 0, 0, 0};
+};
+MeshPoint locate(const Mesh& mesh, uint32_t face, Vec2 uv);
+
+// Outward normal of a side of a polygon at rest, unit length.
+Vec3 polygon_normal(const Scene& scene, const Polygon& polygon);
+double polygon_area(const Scene& scene, const Polygon& polygon);
+
+}  // namespace strad

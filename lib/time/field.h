@@ -1,0 +1,45 @@
+// Functions of time, one RGB function a vertex: sparse piecewise polynomials on dyadic intervals.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/rgb.h"
+#include "time/time_grid.h"
+
+namespace strad {
+
+// Row v holds the pieces of vertex v, ascending in time; where there is no piece the function is zero.
+// A piece's coefficients are its values at the `order` Gauss nodes of its interval.
+struct Field {
+  int order = 1;
+  std::vector<uint32_t> first_piece{0};  // rows + 1
+  std::vector<Interval> pieces;
+  std::vector<Rgb> coefficients;  // pieces * order
+
+  uint32_t row_count() const { return static_cast<uint32_t>(first_piece.size() - 1); }
+};
+
+// The value at `time`, of the later piece at a boundary.
+//
+// With `continuous`, the two one-sided values at a boundary of two pieces inside a span are both replaced by
+// their mean (by zero where the neighbour is a gap), by adding to each piece the linear function that does so
+// (design: continuity). Steps, the boundaries of spans, stay sharp. It needs the pieces that touch the piece
+// at `time`: those of the cell before its first and of the cell after its last.
+Rgb value_at(const TimeGrid& grid, const Field& field, uint32_t row, double time, bool continuous);
+
+// The mean over [begin, end], in closed form.
+Rgb mean_over(const TimeGrid& grid, const Field& field, uint32_t row, double begin, double end,
+              bool continuous);
+
+// The jump value(cell boundary +) - value(cell boundary -) at the beginning of `cell`, before any correction.
+Rgb jump_at(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t cell);
+
+// Appends a row from values at all nodes of the grid (node_count of them): merges dyadic halves bottom-up
+// while the root-mean-square error of the merged polynomial over its interval stays below `tolerance`
+// (luminance-like: the largest channel), drops pieces below it, so the row's error is of the order of
+// `tolerance`. `active`: one flag a cell; inactive cells hold zero. Empty: all are active.
+void append_row(const TimeGrid& grid, const std::vector<Rgb>& node_values, const std::vector<bool>& active,
+                float tolerance, Field* field);
+
+}  // namespace strad
