@@ -1,0 +1,142 @@
+#include "image/files.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "base/error.h"
+#include "image/module/module.h"
+#include "image/pnm.h"
+#include "image/srgb.h"
+
+namespace strad {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Beside the executable, in the build tree as when installed: bin/strad-frame,
+// lib/strad/strad-image-files.so.
+const ImageModule* open_module() {
+  const fs::path executable = fs::read_symlink("/proc/self/exe");
+  const std::string path =
+      (executable.parent_path().parent_path() / "lib/strad/strad-image-files.so").string();
+  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library) throw IoError(std::string("cannot load the module for picture files: ") + dlerror());
+  void* entry = dlsym(library, kImageModuleSymbol);
+  if (!entry) throw IoError(path + ": found no " + kImageModuleSymbol + " in it");
+  return reinterpret_cast<ImageModuleEntry>(entry)();
+}
+
+const ImageModule& module() {
+  static const ImageModule* const loaded = open_module();
+  return *loaded;
+}
+
+// "exr" of "a/b.EXR"; empty if there is none.
+std::string format_of(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+bool is_pnm_format(const std::string& format) { return format == "ppm" || format == "pfm"; }
+
+std::string read_all(std::istream& stream, const std::string& name) {
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.bad()) throw IoError(name + ": cannot be read");
+  return bytes;
+}
+
+std::string read_file(const std::string& path) {
+  if (path == "-") return read_all(std::cin, "standard input");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw IoError(path + ": " + std::strerror(errno));
+  return read_all(file, path);
+}
+
+void require_regular_file(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw IoError(path + ": no such file");
+  if (fs::is_directory(status)) throw BadInput(path + ": found a directory, expected a picture");
+}
+
+void write_file(const std::string& path, const std::string& bytes) {
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file) throw IoError(path + ": " + std::strerror(errno));
+}
+
+void write_format(const std::string& path, const std::string& format, const Image& image) {
+  if (format == "ppm") return write_file(path, encode_ppm(image));
+  if (format == "pfm") return write_file(path, encode_pfm(image));
+  const std::string fault = module().write(path, format, image);
+  if (!fault.empty()) throw IoError(path + ": " + fault);
+}
+
+// A name beside `path` that no other process uses.
+std::string name_beside(const std::string& path) { return path + "." + std::to_string(getpid()) + ".tmp"; }
+
+}  // namespace
+
+Image load_image(const std::string& path) {
+  if (path == "-") return decode_pnm(read_file(path), "standard input");
+  require_regular_file(path);
+  if (is_pnm_format(format_of(path))) return decode_pnm(read_file(path), path);
+  Image image;
+  const std::string fault = module().read(path, &image);
+  if (!fault.empty()) throw BadInput(path + ": " + fault);
+  return image;
+}
+
+SrgbImage load_srgb_image(const std::string& path) {
+  SrgbImage texture;
+  require_regular_file(path);
+  if (!is_pnm_format(format_of(path))) {
+    const std::string fault = module().read_srgb(path, &texture);
+    if (!fault.empty()) throw BadInput(path + ": " + fault);
+    return texture;
+  }
+  const Image image = decode_pnm(read_file(path), path);
+  texture = {image.width, image.height, {}};
+  texture.bytes.reserve(3 * image.pixels.size());
+  for (const Rgb& pixel : image.pixels)
+    for (int channel = 0; channel < 3; ++channel) texture.bytes.push_back(srgb_byte(pixel[channel]));
+  return texture;
+}
+
+void require_image_format(const std::string& path) {
+  const std::string format = format_of(path);
+  if (is_pnm_format(format) || (!format.empty() && module().knows(format))) return;
+  throw BadInput(path + ": found the extension '" + format +
+                 "', expected one of a picture format, such as exr, png, ppm, pfm");
+}
+
+void save_image(const std::string& path, const Image& image) {
+  require_image_format(path);
+  const std::string beside = name_beside(path);
+  try {
+    write_format(beside, format_of(path), image);
+    fs::rename(beside, path);
+  } catch (const fs::filesystem_error& error) {
+    fs::remove(beside);
+    throw IoError(path + ": " + error.code().message());
+  } catch (const IoError& error) {
+    std::error_code ignored;
+    fs::remove(beside, ignored);
+    const std::string text = error.what();  // names the file beside: name the one asked for
+    throw IoError(text.starts_with(beside) ? path + text.substr(beside.size()) : text);
+  }
+}
+
+}  // namespace strad

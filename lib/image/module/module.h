@@ -1,0 +1,22 @@
+// What the module strad-image-files.so offers to lib/image/files.cpp. Failures come back as text, empty for
+// success, so that no exception crosses from one library to another.
+#pragma once
+
+#include <string>
+
+#include "image/image.h"
+
+namespace strad {
+
+struct ImageModule {
+  std::string (*read)(const std::string& path, Image* image);
+  std::string (*read_srgb)(const std::string& path, SrgbImage* image);
+  bool (*knows)(const std::string& format);  // an extension without its dot
+  std::string (*write)(const std::string& path, const std::string& format, const Image& image);
+};
+
+// The one symbol that is looked up in the module; `ImageModuleEntry` is its type.
+constexpr const char* kImageModuleSymbol = "strad_image_module";
+using ImageModuleEntry = const ImageModule* (*)();
+
+}  // namespace strad

@@ -1,0 +1,145 @@
+// The only user of OpenImageIO: all picture formats but PPM and PFM.
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "image/module/module.h"
+#include "image/srgb.h"
+
+namespace {
+
+using strad::Image;
+using strad::kMaxPixels;
+using strad::SrgbImage;
+
+constexpr float kLargestHalf = 65504;
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+// One thread: callers save frames in parallel themselves, and a pool costs more than a small picture.
+void keep_to_one_thread() {
+  static const bool done = OIIO::attribute("threads", 1) && OIIO::attribute("exr_threads", -1);
+  static_cast<void>(done);
+}
+
+// Opens `path` and takes its first `channels` channels (1 or 3) in `type`.
+template <class Sample>
+std::string read_channels(const std::string& path, OIIO::TypeDesc type, OIIO::ImageSpec* spec,
+                          std::vector<Sample>* samples) {
+  keep_to_one_thread();
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
+  if (!input) return "cannot be read as a picture: " + first_line(OIIO::geterror());
+  *spec = input->spec();
+  if (spec->width <= 0 || spec->height <= 0 || spec->depth > 1 ||
+      static_cast<uint64_t>(spec->width) * static_cast<uint64_t>(spec->height) > kMaxPixels)
+    return "found " + std::to_string(spec->width) + " x " + std::to_string(spec->height) +
+           " pixels, expected 1 to " + std::to_string(kMaxPixels);
+  const int channels = spec->nchannels >= 3 ? 3 : 1;
+  samples->resize(static_cast<size_t>(spec->width) * static_cast<size_t>(spec->height) *
+                  static_cast<size_t>(channels));
+  if (!input->read_image(0, 0, 0, channels, type, samples->data()))
+    return "cannot be read: " + first_line(input->geterror());
+  spec->nchannels = channels;
+  return "";
+}
+
+std::string read(const std::string& path, Image* image) {
+  OIIO::ImageSpec spec;
+  std::vector<float> samples;
+  if (const std::string fault = read_channels(path, OIIO::TypeDesc::FLOAT, &spec, &samples); !fault.empty())
+    return fault;
+  if (!spec.format.is_floating_point())
+    for (float& sample : samples) sample = strad::linear_from_srgb(sample);
+  *image = Image(static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height));
+  const float* sample = samples.data();
+  for (strad::Rgb& pixel : image->pixels) {
+    pixel = spec.nchannels == 3 ? strad::Rgb{sample[0], sample[1], sample[2]}
+                                : strad::Rgb{sample[0], sample[0], sample[0]};
+    sample += spec.nchannels;
+  }
+  return "";
+}
+
+std::string read_srgb(const std::string& path, SrgbImage* image) {
+  OIIO::ImageSpec spec;
+  std::vector<float> samples;  // floats, since those of EXR are linear and may exceed 1
+  if (const std::string fault = read_channels(path, OIIO::TypeDesc::FLOAT, &spec, &samples); !fault.empty())
+    return fault;
+  image->width = static_cast<uint32_t>(spec.width);
+  image->height = static_cast<uint32_t>(spec.height);
+  const bool linear = spec.format.is_floating_point();
+  const auto byte = [&](float sample) {
+    return linear ? strad::srgb_byte(sample) : static_cast<uint8_t>(255 * sample + 0.5f);
+  };
+  image->bytes.reserve(size_t{3} * image->width * image->height);
+  for (size_t i = 0; i < samples.size(); ++i)
+    image->bytes.insert(image->bytes.end(), spec.nchannels == 3 ? 1 : 3, byte(samples[i]));
+  return "";
+}
+
+bool is_float_format(const std::string& format) {
+  return format == "exr" || format == "hdr" || format == "rgbe";
+}
+bool is_word_format(const std::string& format) { return format == "tif" || format == "tiff"; }
+
+OIIO::ImageSpec spec_for(const Image& image, const std::string& format) {
+  const OIIO::TypeDesc type = format == "exr"           ? OIIO::TypeDesc::HALF
+                              : is_float_format(format) ? OIIO::TypeDesc::FLOAT
+                              : is_word_format(format)  ? OIIO::TypeDesc::UINT16
+                                                        : OIIO::TypeDesc::UINT8;
+  OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), 3, type);
+  spec.attribute("DateTime", "1970:01:01 00:00:00");  // else the clock's: equal pixels, unequal bytes
+  spec.attribute("compression", format == "jpg" || format == "jpeg" ? "jpeg:95" : "zip");
+  spec.attribute("oiio:ColorSpace", is_float_format(format) ? "Linear" : "sRGB");
+  return spec;
+}
+
+std::vector<float> floats_of(const Image& image) {
+  std::vector<float> samples;
+  samples.reserve(3 * image.pixels.size());
+  for (const strad::Rgb& pixel : image.pixels)
+    for (int channel = 0; channel < 3; ++channel) samples.push_back(std::min(pixel[channel], kLargestHalf));
+  return samples;
+}
+
+template <class Sample, class Encode>
+std::vector<Sample> whole_numbers_of(const Image& image, Encode encode) {
+  std::vector<Sample> samples;
+  samples.reserve(3 * image.pixels.size());
+  for (const strad::Rgb& pixel : image.pixels)
+    for (int channel = 0; channel < 3; ++channel) samples.push_back(encode(pixel[channel]));
+  return samples;
+}
+
+bool write_samples(OIIO::ImageOutput* output, const std::string& format, const Image& image) {
+  if (is_float_format(format)) return output->write_image(OIIO::TypeDesc::FLOAT, floats_of(image).data());
+  if (is_word_format(format))
+    return output->write_image(OIIO::TypeDesc::UINT16,
+                               whole_numbers_of<uint16_t>(image, strad::srgb_word).data());
+  return output->write_image(OIIO::TypeDesc::UINT8,
+                             whole_numbers_of<uint8_t>(image, strad::srgb_byte).data());
+}
+
+bool knows(const std::string& format) {
+  keep_to_one_thread();
+  const bool known = OIIO::ImageOutput::create(format) != nullptr;
+  if (!known) OIIO::geterror();  // clears it
+  return known;
+}
+
+std::string write(const std::string& path, const std::string& format, const Image& image) {
+  keep_to_one_thread();
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
+  if (!output) return "no writer for this format: " + first_line(OIIO::geterror());
+  if (!output->open(path, spec_for(image, format)) || !write_samples(output.get(), format, image) ||
+      !output->close())
+    return "cannot be written: " + first_line(output->geterror());
+  return "";
+}
+
+constexpr strad::ImageModule kModule{read, read_srgb, knows, write};
+
+}  // namespace
+
+extern "C" const strad::ImageModule* strad_image_module() { return &kModule; }

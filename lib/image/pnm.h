@@ -1,0 +1,21 @@
+// Pictures as bytes down a pipe: binary PPM (8 bits on the sRGB curve) and PFM (linear floats).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "image/image.h"
+
+namespace strad {
+
+std::string encode_ppm(const Image& image);
+std::string encode_pfm(const Image& image);
+
+// Reads P6 of 8 or 16 bits (on the sRGB curve), PF and Pf. Throws BadInput beginning with `name`, the file's
+// name. Bytes after the picture are refused: a file holds one.
+Image decode_pnm(std::string_view bytes, const std::string& name);
+
+// The start of a PPM or PFM file?
+bool is_pnm(std::string_view bytes);
+
+}  // namespace strad
