@@ -1,0 +1,221 @@
+// The statements of a motion file, parsed block by block.
+#include "scene/motion_blocks.h"
+
+#include <span>
+
+#include "scene/motion_keys.h"
+#include "scene/motion_words.h"
+
+namespace strad {
+namespace {
+
+// A statement in column one and the indented lines under it.
+struct BlockText {
+  const std::string& file;
+  const MotionLine& head;
+  std::span<const MotionLine> settings;
+};
+
+// Refuses a second setting of the same name, except `key` and `parts`, which add up.
+class OnceEach {
+ public:
+  void take(const std::string& setting, const MotionWords& words) {
+    if (setting == "key" || setting == "parts") return;
+    for (const std::string& seen : seen_)
+      if (seen == setting) words.fail("a second " + setting, "one " + setting + " in a block");
+    seen_.push_back(setting);
+  }
+
+ private:
+  std::vector<std::string> seen_;
+};
+
+// Calls take(setting, words) for each line of the block.
+template <class Take>
+void for_each_setting(const BlockText& block, const std::string& expected, Take take) {
+  OnceEach once;
+  for (const MotionLine& line : block.settings) {
+    MotionWords words(block.file, line);
+    const std::string setting = words.word(expected);
+    once.take(setting, words);
+    take(setting, words);
+    words.expect_end();
+  }
+}
+
+std::string name_of(const BlockText& block, const std::string& expected) {
+  MotionWords words(block.file, block.head);
+  words.word(expected);  // the keyword itself
+  std::string name = words.word(expected);
+  if (name.empty()) words.fail(expected);
+  words.expect_end();
+  return name;
+}
+
+MotionName take_name(MotionWords& words, const std::string& expected) {
+  return {words.word(expected), words.line()};
+}
+
+Ease take_ease(MotionWords& words) {
+  const std::string ease = words.word("linear or smooth");
+  if (ease == "linear") return Ease::kLinear;
+  if (ease == "smooth") return Ease::kSmooth;
+  words.fail("linear or smooth");
+}
+
+Vec3 take_axis(MotionWords& words) {
+  const Vec3 axis = words.vector("the axis");
+  if (!(length2(axis) > 0)) words.fail("an axis of no length", "a direction");
+  return normalized(axis);
+}
+
+void take_cone(MotionWords& words, Spot& spot) {
+  const std::string expected = "two half-angles in degrees, 0 <= inner <= outer < 180, outer > 0";
+  const double inner = words.number(expected), outer = words.number(expected);
+  if (!(inner >= 0 && inner <= outer && outer > 0 && outer < 180))
+    words.fail("a cone from " + motion_number(inner) + " to " + motion_number(outer), expected);
+  spot.inner = radians(inner);
+  spot.outer = radians(outer);
+}
+
+BodyBlock parse_body(const BlockText& text) {
+  BodyBlock block;
+  block.body.name = name_of(text, "the name of the body");
+  if (block.body.name == "world")
+    fail_at(text.file, text.head.number, "a body named world", "another name: the world is what never moves");
+  const std::string expected = "parts, on, pivot, axis, ease or key";
+  for_each_setting(text, expected, [&](const std::string& setting, MotionWords& words) {
+    if (setting == "parts") {
+      do block.parts.push_back(take_name(words, "names or patterns of objects"));
+      while (!words.at_end());
+    } else if (setting == "on") {
+      block.on = take_name(words, "the name of a body");
+    } else if (setting == "pivot") {
+      block.body.pivot = words.vector("the pivot");
+    } else if (setting == "axis") {
+      block.body.axis = take_axis(words);
+    } else if (setting == "ease") {
+      block.body.ease = take_ease(words);
+    } else if (setting == "key") {
+      take_key(words, block.body.keys);
+    } else {
+      words.fail(expected);
+    }
+  });
+  for (const MotionName& part : block.parts) block.body.parts.push_back(part.name);
+  return block;
+}
+
+SpotBlock parse_spot(const BlockText& text) {
+  SpotBlock block;
+  block.spot.name = name_of(text, "the name of the spot");
+  bool has_cone = false;
+  const std::string expected = "on, cone or key";
+  for_each_setting(text, expected, [&](const std::string& setting, MotionWords& words) {
+    if (setting == "on") {
+      block.on = take_name(words, "the name of a body");
+    } else if (setting == "cone") {
+      take_cone(words, block.spot);
+      has_cone = true;
+    } else if (setting == "key") {
+      take_key(words, block.spot.keys);
+    } else {
+      words.fail(expected);
+    }
+  });
+  if (!has_cone) fail_at(text.file, text.head.number, "a spot without a cone", "cone INNER OUTER");
+  if (block.spot.keys.empty())
+    fail_at(text.file, text.head.number, "a spot without a key", "at least one key");
+  return block;
+}
+
+// Settings of a block that knows nothing but keys.
+template <class Key>
+std::vector<Key> parse_keys(const BlockText& text) {
+  std::vector<Key> keys;
+  for_each_setting(text, "key", [&](const std::string& setting, MotionWords& words) {
+    if (setting != "key") words.fail("key");
+    take_key(words, keys);
+  });
+  if (keys.empty())
+    fail_at(text.file, text.head.number, "a " + text.head.words[0] + " without a key", "at least one key");
+  return keys;
+}
+
+MotionInterval parse_time(const BlockText& text) {
+  MotionWords words(text.file, text.head);
+  const std::string expected = "start and end in seconds";
+  words.word(expected);
+  const double start = words.number(expected), end = words.number(expected);
+  words.expect_end();
+  if (!(start <= end))
+    words.fail("an end at " + motion_number(end), "one at " + motion_number(start) + " or later");
+  return {start, end};
+}
+
+double parse_rate(const BlockText& text) {
+  MotionWords words(text.file, text.head);
+  const std::string expected = "frames per second, above 0";
+  words.word(expected);
+  const double rate = words.number(expected);
+  if (!(rate > 0)) words.fail(expected);
+  words.expect_end();
+  return rate;
+}
+
+// The later of two blocks of one name takes the place of the earlier.
+template <class Block, class NameOf>
+void put(std::vector<Block>& blocks, Block block, NameOf name) {
+  for (Block& earlier : blocks) {
+    if (name(earlier) != name(block)) continue;
+    earlier = std::move(block);
+    return;
+  }
+  blocks.push_back(std::move(block));
+}
+
+void parse_block(const BlockText& text, MotionBlocks& blocks) {
+  const std::string& keyword = text.head.words[0];
+  if (keyword == "body") {
+    put(blocks.bodies, parse_body(text), [](const BodyBlock& block) { return block.body.name; });
+  } else if (keyword == "spot") {
+    put(blocks.spots, parse_spot(text), [](const SpotBlock& block) { return block.spot.name; });
+  } else if (keyword == "glow") {
+    const MotionName material{name_of(text, "the name of a material"), text.head.number};
+    put(blocks.glows, GlowBlock{material, parse_keys<GlowKey>(text)},
+        [](const GlowBlock& block) { return block.material.name; });
+  } else if (keyword == "camera") {
+    const std::string name = name_of(text, "the name of the camera");
+    put(blocks.cameras, Camera{name, parse_keys<CameraKey>(text)},
+        [](const Camera& block) { return block.name; });
+  } else if (keyword != "time" && keyword != "rate") {
+    fail_at(text.file, text.head.number, quoted(keyword), "time, rate, body, spot, glow or camera");
+  } else if (!text.settings.empty()) {
+    const MotionLine& line = text.settings.front();
+    fail_at(text.file, line.number, "an indented " + quoted(line.words[0]) + " under " + keyword,
+            "a statement in column one");
+  } else if (keyword == "time") {
+    blocks.interval = parse_time(text);
+  } else {
+    blocks.rate = parse_rate(text);
+  }
+}
+
+}  // namespace
+
+MotionBlocks parse_motion(std::string_view text, const std::string& file) {
+  const std::vector<MotionLine> lines = motion_lines(text, file);
+  MotionBlocks blocks;
+  for (size_t i = 0; i < lines.size();) {
+    if (lines[i].indented)
+      fail_at(file, lines[i].number, "an indented " + quoted(lines[i].words[0]) + " under no statement",
+              "time, rate, body, spot, glow or camera in column one");
+    size_t end = i + 1;
+    while (end < lines.size() && lines[end].indented) ++end;
+    parse_block({file, lines[i], std::span(lines).subspan(i + 1, end - i - 1)}, blocks);
+    i = end;
+  }
+  return blocks;
+}
+
+}  // namespace strad

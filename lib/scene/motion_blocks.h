@@ -1,0 +1,52 @@
+// The statements of a motion file, checked one by one but not yet against a scene: names are still names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strad {
+
+// A name and the line that gives it.
+struct MotionName {
+  std::string name;
+  int line = 0;
+};
+
+struct BodyBlock {
+  Body body;      // without parent
+  MotionName on;  // parent; empty: the world
+  std::vector<MotionName> parts;
+};
+
+struct SpotBlock {
+  Spot spot;  // without body
+  MotionName on;
+};
+
+struct GlowBlock {
+  MotionName material;
+  std::vector<GlowKey> keys;
+};
+
+struct MotionInterval {
+  double start = 0, end = 0;  // s
+};
+
+// Each name once a kind: where a file repeats one, the later block is here, in the place of the earlier.
+struct MotionBlocks {
+  std::optional<MotionInterval> interval;
+  std::optional<double> rate;
+  std::vector<BodyBlock> bodies;
+  std::vector<SpotBlock> spots;
+  std::vector<GlowBlock> glows;
+  std::vector<Camera> cameras;
+};
+
+// Throws BadInput. `file` is the name used in messages.
+MotionBlocks parse_motion(std::string_view text, const std::string& file);
+
+}  // namespace strad

@@ -1,0 +1,16 @@
+// The motion language of strad-motion(5), compiled onto a scene.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace strad {
+
+// Later statements win: `time`, `rate` and blocks of a name that the scene already has replace what it has;
+// all else of the scene's motion stays. `file` is the name used in messages. Throws BadInput, "file:line:
+// found ..., expected ..."; the scene is then of no more use.
+void apply_motion(std::string_view text, const std::string& file, Scene& scene);
+
+}  // namespace strad

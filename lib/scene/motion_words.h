@@ -1,0 +1,51 @@
+// A motion file as lines of words; every complaint about it names file and line.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace strad {
+
+struct MotionLine {
+  int number = 0;         // from 1
+  bool indented = false;  // belongs to the block above
+  std::vector<std::string> words;
+};
+
+// Lines that hold words, without comments. Words are parted by blanks; double quotes keep blanks and # in a
+// word.
+std::vector<MotionLine> motion_lines(std::string_view text, const std::string& file);
+
+// Throws BadInput "file:line: found ..., expected ...".
+[[noreturn]] void fail_at(const std::string& file, int line, const std::string& found,
+                          const std::string& expected);
+
+// `word` between quotes, shortened and with control characters made visible, for messages.
+std::string quoted(std::string_view word);
+
+// Takes the words of a line one by one.
+class MotionWords {
+ public:
+  MotionWords(const std::string& file, const MotionLine& line) : file_(file), line_(line) {}
+
+  int line() const { return line_.number; }
+  bool at_end() const { return next_ == line_.words.size(); }
+  std::string word(const std::string& expected);
+  double number(const std::string& expected);
+  Vec3 vector(const std::string& what);
+  void expect_end() const;
+
+  // Complains about the word taken last, or about what `found` says.
+  [[noreturn]] void fail(const std::string& expected) const;
+  [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
+
+ private:
+  const std::string& file_;
+  const MotionLine& line_;
+  size_t next_ = 0;
+};
+
+}  // namespace strad
