@@ -1,7 +1,6 @@
 #include "image/files.h"
 
 #include <dlfcn.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -10,11 +9,13 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <mutex>
 
 #include "base/error.h"
 #include "image/module/module.h"
 #include "image/pnm.h"
 #include "image/srgb.h"
+#include "stream/output_file.h"
 
 namespace strad {
 namespace {
@@ -74,18 +75,16 @@ void write_file(const std::string& path, const std::string& bytes) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (!file) throw IoError(path + ": " + std::strerror(errno));
+  if (!file) throw IoError(std::strerror(errno));
 }
 
+// Throws IoError without the file's name.
 void write_format(const std::string& path, const std::string& format, const Image& image) {
   if (format == "ppm") return write_file(path, encode_ppm(image));
   if (format == "pfm") return write_file(path, encode_pfm(image));
   const std::string fault = module().write(path, format, image);
-  if (!fault.empty()) throw IoError(path + ": " + fault);
+  if (!fault.empty()) throw IoError(fault);
 }
-
-// A name beside `path` that no other process uses.
-std::string name_beside(const std::string& path) { return path + "." + std::to_string(getpid()) + ".tmp"; }
 
 }  // namespace
 
@@ -123,20 +122,18 @@ void require_image_format(const std::string& path) {
 }
 
 void save_image(const std::string& path, const Image& image) {
+  static std::mutex names;  // frames may be saved by several threads
   require_image_format(path);
-  const std::string beside = name_beside(path);
+  std::unique_lock lock(names);
+  WholeFile file(path);
+  lock.unlock();
   try {
-    write_format(beside, format_of(path), image);
-    fs::rename(beside, path);
-  } catch (const fs::filesystem_error& error) {
-    fs::remove(beside);
-    throw IoError(path + ": " + error.code().message());
+    write_format(file.temporary(), format_of(path), image);
   } catch (const IoError& error) {
-    std::error_code ignored;
-    fs::remove(beside, ignored);
-    const std::string text = error.what();  // names the file beside: name the one asked for
-    throw IoError(text.starts_with(beside) ? path + text.substr(beside.size()) : text);
+    throw IoError(path + ": " + error.what());
   }
+  lock.lock();
+  file.commit();
 }
 
 }  // namespace strad

@@ -1,0 +1,51 @@
+# Thin over CMake. `make help` lists what there is.
+
+BUILD = build
+PREFIX = /usr/local
+CMAKE_FLAGS =
+sources = $(shell find lib tools tests -name '*.cpp' -o -name '*.h')
+
+.PHONY: build demo check bench lint format install clean help configure
+
+build: configure  ## the executables in build/bin (missing Debian packages are installed)
+	@cmake --build $(BUILD) --target tools
+
+demo: build  ## the whole pipeline on the demo scene: frames, movie, plot, POV-Ray, in build/demo
+	@.ci/install demo
+	@PATH="$(abspath $(BUILD))/bin:$$PATH" bash scenes/demo.sh scenes/room4 $(BUILD)/demo
+
+check: configure  ## build and run all tests
+	@.ci/install check
+	@cmake -S . -B $(BUILD) -D STRAD_TESTS=ON >$(BUILD)/configure.log || { cat $(BUILD)/configure.log; false; }
+	@cmake --build $(BUILD)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $$(nproc)
+
+bench: build  ## error against CPU seconds, acceleration, continuity, as tables
+	@.ci/install bench
+	@PATH="$(abspath $(BUILD))/bin:$$PATH" bash tests/bench/bench.sh
+
+lint: configure  ## formatting, warnings of a second compiler, man pages
+	@.ci/install lint check
+	@clang-format --dry-run --Werror $(sources)
+	@mandoc -T lint -W warning man/*.[157]
+	@CXX=clang++ cmake -G Ninja -S . -B $(BUILD)/lint -D CMAKE_BUILD_TYPE=Debug >$(BUILD)/lint.log || \
+	  { cat $(BUILD)/lint.log; false; }
+	@cmake --build $(BUILD)/lint
+
+format:  ## lay out the sources by .clang-format
+	@.ci/install lint
+	@clang-format -i $(sources)
+
+install: build  ## into PREFIX (default /usr/local) below DESTDIR
+	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)"
+
+clean:  ## remove all that was built
+	@rm -rf $(BUILD)
+
+help:  ## this list
+	@sed -n 's/^\([a-z]*\):.*  ## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 10
+
+configure:
+	@.ci/install build
+	@mkdir -p $(BUILD)
+	@test -f $(BUILD)/build.ninja || cmake -G Ninja -S . -B $(BUILD) -D STRAD_TESTS=OFF $(CMAKE_FLAGS)
