@@ -1,12 +1,12 @@
-#include "image/compare_frames.h"
+#include "frame/compare_frames.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
 
 #include "base/error.h"
+#include "frame/frames_on_disk.h"
 #include "image/files.h"
-#include "image/sequence.h"
 
 namespace strad {
 namespace {
@@ -26,8 +26,12 @@ struct FlickerSums {
   double a = 0, b = 0, excess = 0;
 };
 
+FilePattern pattern_of(const std::string& path) { return FilePattern("file name", path); }
+
+bool is_pattern(const std::string& path) { return pattern_of(path).numbered(); }
+
 std::string file_of(const std::string& path, std::optional<int> number) {
-  return number && !path.empty() ? frame_path(path, *number) : path;
+  return number ? pattern_of(path).name(*number) : path;
 }
 
 Image load_checked(const std::string& path) {
@@ -65,15 +69,16 @@ FrameSet load_frame(const FrameFiles& files, std::optional<int> number) {
 
 // The numbers that both patterns have on disk. Throws unless they are the same.
 std::vector<int> paired_frames(const FrameFiles& files) {
-  const std::vector<int> a = frames_on_disk(files.a), b = frames_on_disk(files.b);
+  const FilePattern pattern_a = pattern_of(files.a), pattern_b = pattern_of(files.b);
+  const std::vector<int> a = frames_on_disk(pattern_a), b = frames_on_disk(pattern_b);
   if (a.empty()) throw IoError(files.a + ": found no file of this name, expected a sequence");
   std::vector<int> alone;
   std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(alone));
   if (alone.empty()) return a;
   const bool in_a = std::binary_search(a.begin(), a.end(), alone.front());
-  throw IoError(frame_path(in_a ? files.b : files.a, alone.front()) +
+  throw IoError((in_a ? pattern_b : pattern_a).name(alone.front()) +
                 ": no such file, expected since there is " +
-                frame_path(in_a ? files.a : files.b, alone.front()));
+                (in_a ? pattern_a : pattern_b).name(alone.front()));
 }
 
 std::vector<bool> either(std::vector<bool> a, const std::vector<bool>& b) {
