@@ -41,15 +41,18 @@ void add_steps(const Scene& scene, const std::vector<Key>& keys, Same same, std:
 }
 
 // Whether the body leaves its place within [start, end], its parents at rest. A smooth curve is shaped by one
-// more key on each side, so that equal keys may still overshoot between unequal ones.
+// more key on each side, so that it may move between equal keys.
 bool moves_by_itself(const Scene& scene, const Body& body) {
   if (body.keys.empty()) return false;
   const size_t reach = body.ease == Ease::kSmooth ? 1 : 0;
   const KeyPlace at_start = place_among(body.keys, scene.start), at_end = place_among(body.keys, scene.end);
   const size_t first = at_start.key - std::min(at_start.key, reach);
-  const size_t last = std::min(at_end.key + (at_end.u > 0 ? 1 + reach : 0), body.keys.size() - 1);
-  for (size_t i = first; i < last; ++i)
-    if (!same_place(body, body.keys[i], body.keys[i + 1])) return true;
+  const size_t last = std::min(at_end.key + (at_end.u > 0 ? 1 : 0) + reach, body.keys.size() - 1);
+  for (size_t i = first; i < last; ++i) {
+    const bool step_outside =
+        body.keys[i].time == body.keys[i + 1].time && (i < at_start.key || i >= at_end.key);
+    if (!step_outside && !same_place(body, body.keys[i], body.keys[i + 1])) return true;
+  }
   return false;
 }
 
