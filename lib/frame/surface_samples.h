@@ -1,0 +1,22 @@
+// Points spread evenly over the surfaces of a scene, the same at every call.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strad {
+
+struct SurfaceSample {
+  uint32_t polygon = 0;
+  uint32_t side = 0;  // 0 front, 1 back
+  Vec3 rest_point;
+};
+
+// `count` points in order of polygons, as many a side as its area asks for, of the sides with
+// wanted[2 * polygon + side]. Empty when their area is zero.
+std::vector<SurfaceSample> surface_samples(const Scene& scene, const std::vector<bool>& wanted,
+                                           uint32_t count);
+
+}  // namespace strad

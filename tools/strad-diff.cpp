@@ -1,0 +1,139 @@
+// strad-diff: how much two pictures, two sequences of pictures or two solutions differ.
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include "frame/compare_frames.h"
+#include "frame/frames_on_disk.h"
+#include "frame/solution_diff.h"
+#include "stream/chunk.h"
+#include "tool.h"
+
+namespace {
+
+using namespace strad;
+
+constexpr int kDiffers = 1;
+
+struct DiffOptions {
+  FrameFiles files;
+  std::string frames;
+  std::optional<double> rel_rmse, largest, flicker, jump;
+};
+
+DiffOptions parse_options(int argc, char** argv) {
+  DiffOptions o;
+  Common common;
+  Options options("strad-diff", "Difference of two pictures, two sequences of pictures or two solutions.",
+                  &common);
+  options.file("A", &o.files.a, "the reference: a picture, a pattern such as a.%04d.exr, or a stream", true);
+  options.file("B", &o.files.b, "what is compared to it");
+  options.number("--rel-rmse", "X", &o.rel_rmse, "fail when the RMSE over the mean of A is above X");
+  options.number("--max", "X", &o.largest, "fail when the largest difference is above X");
+  options.number("--flicker", "X", &o.flicker, "fail when the flicker of sequence B is above X");
+  options.text("-f,--frames", "F:L:S", &o.frames,
+               "only these frames of sequences, as 1:600, 1:600:10 or 61,150:152");
+  options.text("--image", "OUT", &o.files.heat_map, "write a heat map, white from half the mean of A on");
+  options.text("--twin", "A2", &o.files.twin,
+               "a second rendering of A, whose noise is independent and is taken out");
+  options.text("--ignore", "LABELS", &o.files.labels,
+               "leave out pixels that are not 0 in this 8-bit picture");
+  options.integer("--ignore-bits", "N", &o.files.label_bits,
+                  "of LABELS look at these bits only (default 255)");
+  options.number("--jump", "T", &o.jump,
+                 "how much the solution A jumps at T seconds, in place of a difference");
+  options.parse(argc, argv);
+  return o;
+}
+
+bool is_stream(const std::string& path) {
+  char magic[sizeof kMagic] = {};
+  std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
+  return std::memcmp(magic, kMagic, sizeof magic) == 0;
+}
+
+Stream read_solved(const std::string& path) {
+  Stream stream = read_stream(path);
+  if (!stream.solution || stream.solution->slabs.empty())
+    throw BadInput(path + ": found no solution, expected what strad-solve writes");
+  return stream;
+}
+
+void print(const char* name, double value) { std::printf("%s %.9g\n", name, value); }
+
+void print_comparison(const Comparison& c) {
+  print("rel_rmse", rel_rmse(c));
+  print("bias", bias(c));
+  print("mean_a", c.mean_a);
+  print("mean_b", c.mean_b);
+  print("max", c.largest);
+}
+
+// Where the largest difference is: its channel and both values.
+void print_worst(const WorstPixel& worst) {
+  std::printf("max_channel %c\n", "rgb"[worst.channel]);
+  print("max_a", worst.a);
+  print("max_b", worst.b);
+}
+
+// Without any limit every difference counts.
+int verdict(const DiffOptions& o, const Comparison& c, std::optional<double> flicker = {}) {
+  if (!o.rel_rmse && !o.largest && !o.flicker) return c.largest > 0 ? kDiffers : 0;
+  const bool above = (o.rel_rmse && !(strad::rel_rmse(c) <= *o.rel_rmse)) ||
+                     (o.largest && !(c.largest <= *o.largest)) || (o.flicker && !(*flicker <= *o.flicker));
+  return above ? kDiffers : 0;
+}
+
+int diff_frames(const DiffOptions& o) {
+  const FramesComparison c = compare_frames(o.files);
+  if (o.flicker && !c.flicker_b) throw BadInput("--flicker: found no three consecutive frames");
+  std::printf("frames %d\n", c.frames);
+  print_comparison(c.total);
+  std::printf("max_file %s\nmax_x %u\nmax_y %u\n", c.worst_file.c_str(), c.total.worst.x, c.total.worst.y);
+  print_worst(c.total.worst);
+  if (c.flicker_a) print("flicker_a", *c.flicker_a);
+  if (c.flicker_b) print("flicker_b", *c.flicker_b);
+  if (c.flicker_excess) print("flicker_excess", *c.flicker_excess);
+  return verdict(o, c.total, c.flicker_b);
+}
+
+int diff_solutions(const DiffOptions& o) {
+  if (o.flicker || !o.files.heat_map.empty() || !o.files.twin.empty() || !o.files.labels.empty() ||
+      !o.frames.empty())
+    throw BadInput(o.files.a + ": a solution, which only --rel-rmse and --max are for");
+  const Stream a = read_solved(o.files.a), b = read_solved(o.files.b);
+  const SolutionsComparison c =
+      compare_solutions({o.files.a, a.scene, *a.solution}, {o.files.b, b.scene, *b.solution});
+  print("begin", c.begin);
+  print("end", c.end);
+  print_comparison(c.total);
+  std::printf("max_object %s\n", c.object.c_str());
+  std::printf("max_at %.6g,%.6g,%.6g\n", c.rest_point.x, c.rest_point.y, c.rest_point.z);
+  print("max_time", c.time);
+  print_worst(c.total.worst);
+  return verdict(o, c.total);
+}
+
+int print_jump(const DiffOptions& o) {
+  const Stream a = read_solved(o.files.a);
+  const Jump jump = jump_of({o.files.a, a.scene, *a.solution}, *o.jump);
+  print("jump", jump.as_solved);
+  print("jump_continuous", jump.continuous);
+  return 0;
+}
+
+int diff(DiffOptions o) {
+  if (o.jump) return print_jump(o);
+  if (o.files.b.empty()) throw BadInput("found one name, expected two to compare");
+  if (!o.frames.empty()) o.files.frames = parse_frame_numbers("--frames", o.frames);
+  return is_stream(o.files.a) || is_stream(o.files.b) ? diff_solutions(o) : diff_frames(o);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return strad::run_tool("strad-diff", [&] { return diff(parse_options(argc, argv)); });
+}
