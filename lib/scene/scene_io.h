@@ -1,0 +1,30 @@
+// A scene to chunks and back; strad(5) has the tables.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+#include "stream/reader.h"
+#include "stream/writer.h"
+
+namespace strad {
+
+// All chunks of a scene in their fixed order, provenance first.
+std::vector<Chunk> encode_scene(const Scene& scene);
+
+// Gathers a scene from chunks that come one by one.
+class SceneDecoder {
+ public:
+  // False when the type is none of a scene's. `place` names the chunk in errors. Throws BadInput.
+  bool add(ChunkType type, ByteSpan content, const std::string& place);
+  // Throws BadInput unless all parts came and validate() passes. `place` names the stream.
+  Scene finish(const std::string& place);
+
+  static bool knows(ChunkType type);
+
+ private:
+  Scene scene_;
+  std::vector<ChunkType> seen_;
+};
+
+}  // namespace strad

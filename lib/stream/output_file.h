@@ -1,0 +1,49 @@
+// A file that is whole or absent: written beside its name and renamed at the end.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "stream/bytes.h"
+
+namespace strad {
+
+// A name in the same folder, with the same extension, that `commit` renames to `path`. The temporary file is
+// removed when it was not committed, also when the program is interrupted. What is no plain file (/dev/null,
+// a named pipe) is written in place.
+class WholeFile {
+ public:
+  explicit WholeFile(const std::string& path);
+  ~WholeFile();
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+
+  const std::string& temporary() const { return temporary_; }  // write here
+  void commit();                                               // throws IoError
+
+ private:
+  std::string path_, temporary_;
+  bool committed_ = false;
+};
+
+// Bytes to a file (whole or absent), or to standard output when `path` is "" or "-".
+class Output {
+ public:
+  explicit Output(const std::string& path);  // throws IoError when it cannot be opened
+  ~Output();
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  bool to_terminal() const;
+  void write(ByteSpan bytes);
+  void write(const std::string& text);
+  void commit();  // flushes and renames; throws IoError. Without it the file does not appear.
+
+ private:
+  std::string name_;
+  std::unique_ptr<WholeFile> file_;
+  std::FILE* handle_ = nullptr;
+};
+
+}  // namespace strad

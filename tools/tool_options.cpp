@@ -1,0 +1,245 @@
+// Options of a command line: the only user of CLI11, which finds the options; their values are read here.
+#include "tool_options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <iostream>
+
+#include "base/error.h"
+#include "base/parallel.h"
+
+namespace strad {
+namespace {
+
+constexpr int kMostJobs = 1024;
+
+template <typename Number>
+bool read_all(std::string_view text, Number* number) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), *number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+[[noreturn]] void fail(const std::string& what, std::string_view found, const std::string& expected) {
+  throw BadInput(what + ": found '" + std::string(found) + "', expected " + expected);
+}
+
+// A word as a shell would take it back.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+,./:@%^";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string result = "'";
+  for (const char c : word) {
+    if (c == '\'')
+      result += "'\\''";
+    else
+      result += c == '\n' ? ' ' : c;
+  }
+  return result + "'";
+}
+
+struct Unrecorded {
+  std::string name;
+  bool has_value;
+};
+
+// How many words from `word` on are an option that is left out: 0, 1, or 2 with its value.
+int words_left_out(const std::string& word, const std::vector<Unrecorded>& unrecorded) {
+  for (const auto& [name, has_value] : unrecorded) {
+    if (word == name) return has_value ? 2 : 1;
+    const bool is_long = name.starts_with("--");
+    if (has_value && word.starts_with(is_long ? name + "=" : name)) return 1;
+  }
+  return word == "-qv" || word == "-vq" ? 1 : 0;
+}
+
+std::string joined_arguments(int argc, char** argv, const std::vector<Unrecorded>& unrecorded) {
+  std::string line;
+  for (int i = 1; i < argc; ++i) {
+    const int left_out = words_left_out(argv[i], unrecorded);
+    if (left_out > 0) {
+      i += left_out - 1;
+      continue;
+    }
+    line += " " + quoted(argv[i]);
+  }
+  return line;
+}
+
+}  // namespace
+
+double parse_number(std::string_view text, const std::string& what) {
+  double number = 0;
+  if (!read_all(text, &number) || !std::isfinite(number)) fail(what, text, "a number");
+  return number;
+}
+
+int parse_integer(std::string_view text, const std::string& what) {
+  int number = 0;
+  if (!read_all(text, &number)) fail(what, text, "a whole number");
+  return number;
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (;;) {
+    const size_t end = text.find(separator);
+    parts.emplace_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::vector<double> parse_numbers(std::string_view text, char separator, const std::string& what) {
+  std::vector<double> numbers;
+  for (const std::string& part : split(text, separator)) numbers.push_back(parse_number(part, what));
+  return numbers;
+}
+
+std::array<double, 3> parse_triple(std::string_view text, const std::string& what) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 3) fail(what, text, "three numbers with commas between");
+  return {parse_number(parts[0], what), parse_number(parts[1], what), parse_number(parts[2], what)};
+}
+
+struct Options::State {
+  CLI::App app;
+  std::string tool;
+  Common* common;
+  std::vector<Unrecorded> unrecorded;
+  std::string provenance;
+
+  State(const std::string& name, const std::string& about) : app(about, name), tool(name) {}
+
+  using Take = std::function<void(const std::string&)>;
+
+  CLI::Option* add(const std::string& names, const std::string& value, const std::string& help,
+                   bool repeatable, Take take) {
+    CLI::Option* option = app.add_option(
+        names,
+        [take = std::move(take)](const CLI::results_t& results) {
+          for (const std::string& result : results) take(result);
+          return true;
+        },
+        help);
+    option->type_name(value)->expected(1)->allow_extra_args(false);
+    option->multi_option_policy(repeatable ? CLI::MultiOptionPolicy::TakeAll
+                                           : CLI::MultiOptionPolicy::TakeLast);
+    return option;
+  }
+};
+
+Options::Options(const std::string& tool, const std::string& about, Common* common)
+    : state_(std::make_unique<State>(tool, about)) {
+  state_->common = common;
+  CLI::App& app = state_->app;
+  app.set_help_flag("-h,--help", "print this help and exit");
+  app.set_version_flag("--version", tool + " " STRAD_VERSION, "print the version and exit");
+  app.get_formatter()->column_width(34);
+  app.add_flag("-q,--quiet", common->quiet, "no progress and no notes on standard error");
+  app.add_flag("-v,--verbose", common->verbose, "more notes on standard error");
+  for (const char* name : {"-q", "--quiet", "-v", "--verbose"}) unrecorded(name, false);
+}
+
+Options::~Options() = default;
+
+void Options::output(const std::string& help) {
+  text("-o,--output", "FILE", &state_->common->output, help);
+  for (const char* name : {"-o", "--output"}) unrecorded(name, true);
+}
+
+void Options::jobs() {
+  integer("-j,--jobs", "N", &state_->common->jobs,
+          "threads to use; the result does not depend on it (default: all cores)");
+  for (const char* name : {"-j", "--jobs"}) unrecorded(name, true);
+}
+
+void Options::flag(const std::string& names, bool* variable, const std::string& help) {
+  state_->app.add_flag(names, *variable, help);
+}
+
+void Options::text(const std::string& names, const std::string& value, std::string* variable,
+                   const std::string& help) {
+  state_->add(names, value, help, false, [=](const std::string& word) { *variable = word; });
+}
+
+void Options::texts(const std::string& names, const std::string& value, std::vector<std::string>* variable,
+                    const std::string& help) {
+  state_->add(names, value, help, true, [=](const std::string& word) { variable->push_back(word); });
+}
+
+void Options::number(const std::string& names, const std::string& value, double* variable,
+                     const std::string& help) {
+  state_->add(names, value, help, false,
+              [=](const std::string& word) { *variable = parse_number(word, names); });
+}
+
+void Options::number(const std::string& names, const std::string& value, std::optional<double>* variable,
+                     const std::string& help) {
+  state_->add(names, value, help, false,
+              [=](const std::string& word) { *variable = parse_number(word, names); });
+}
+
+void Options::integer(const std::string& names, const std::string& value, int* variable,
+                      const std::string& help) {
+  state_->add(names, value, help, false,
+              [=](const std::string& word) { *variable = parse_integer(word, names); });
+}
+
+void Options::integer(const std::string& names, const std::string& value, std::optional<int>* variable,
+                      const std::string& help) {
+  state_->add(names, value, help, false,
+              [=](const std::string& word) { *variable = parse_integer(word, names); });
+}
+
+void Options::choice(const std::string& names, const std::vector<std::string>& words, std::string* variable,
+                     const std::string& help) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : "|") + word;
+  state_->add(names, list, help, false, [=](const std::string& word) {
+    if (std::find(words.begin(), words.end(), word) == words.end()) fail(names, word, list);
+    *variable = word;
+  });
+}
+
+void Options::file(const std::string& value, std::string* variable, const std::string& help, bool required) {
+  state_->add(value, "", help, false, [=](const std::string& word) { *variable = word; })->required(required);
+}
+
+void Options::files(const std::string& value, std::vector<std::string>* variable, const std::string& help,
+                    bool required) {
+  state_->add(value, "", help, true, [=](const std::string& word) { variable->push_back(word); })
+      ->expected(required ? 1 : 0, CLI::detail::expected_max_vector_size)
+      ->allow_extra_args(true)
+      ->required(required);
+}
+
+void Options::unrecorded(const std::string& name, bool has_value) {
+  state_->unrecorded.push_back({name, has_value});
+}
+
+void Options::parse(int argc, char** argv) {
+  state_->provenance = state_->tool + " " STRAD_VERSION + joined_arguments(argc, argv, state_->unrecorded);
+  try {
+    state_->app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << state_->app.help() << std::flush;
+    throw Finished{};
+  } catch (const CLI::CallForVersion& version) {
+    std::cout << version.what() << std::endl;
+    throw Finished{};
+  } catch (const CLI::ParseError& error) {
+    throw BadInput(std::string(error.what()) + "; see " + state_->tool + " --help");
+  }
+  const int jobs = state_->common->jobs;
+  if (jobs < 0 || jobs > kMostJobs)
+    fail("-j,--jobs", std::to_string(jobs), "0.." + std::to_string(kMostJobs));
+  if (jobs > 0) set_thread_count(jobs);
+}
+
+const std::string& Options::provenance() const { return state_->provenance; }
+
+}  // namespace strad
