@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "scene/import_text.h"
 #include "scene/motion_keys.h"
 #include "scene/motion_words.h"
 
@@ -189,10 +190,10 @@ void parse_block(const BlockText& text, MotionBlocks& blocks) {
     put(blocks.cameras, Camera{name, parse_keys<CameraKey>(text)},
         [](const Camera& block) { return block.name; });
   } else if (keyword != "time" && keyword != "rate") {
-    fail_at(text.file, text.head.number, quoted(keyword), "time, rate, body, spot, glow or camera");
+    fail_at(text.file, text.head.number, in_quotes(keyword), "time, rate, body, spot, glow or camera");
   } else if (!text.settings.empty()) {
     const MotionLine& line = text.settings.front();
-    fail_at(text.file, line.number, "an indented " + quoted(line.words[0]) + " under " + keyword,
+    fail_at(text.file, line.number, "an indented " + in_quotes(line.words[0]) + " under " + keyword,
             "a statement in column one");
   } else if (keyword == "time") {
     blocks.interval = parse_time(text);
@@ -208,7 +209,7 @@ MotionBlocks parse_motion(std::string_view text, const std::string& file) {
   MotionBlocks blocks;
   for (size_t i = 0; i < lines.size();) {
     if (lines[i].indented)
-      fail_at(file, lines[i].number, "an indented " + quoted(lines[i].words[0]) + " under no statement",
+      fail_at(file, lines[i].number, "an indented " + in_quotes(lines[i].words[0]) + " under no statement",
               "time, rate, body, spot, glow or camera in column one");
     size_t end = i + 1;
     while (end < lines.size() && lines[end].indented) ++end;

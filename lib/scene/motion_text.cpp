@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "scene/import_text.h"
 #include "scene/motion_blocks.h"
 #include "scene/motion_words.h"
 
@@ -45,7 +46,7 @@ uint32_t body_named(const MotionName& on, const std::string& file, const Scene& 
   if (on.line == 0) return 0;
   const uint32_t body = find_named(scene.bodies, on.name);
   if (body == kNone)
-    fail_at(file, on.line, quoted(on.name), "the name of a body (" + names_of(scene.bodies) + ")");
+    fail_at(file, on.line, in_quotes(on.name), "the name of a body (" + names_of(scene.bodies) + ")");
   return body;
 }
 
@@ -56,12 +57,12 @@ void claim_part(const MotionName& part, uint32_t body, const std::string& file, 
     matched = true;
     if (object.body != 0 && object.body != body)
       fail_at(file, part.line,
-              "object " + quoted(object.name) + " of body " + quoted(scene.bodies[object.body].name),
+              "object " + in_quotes(object.name) + " of body " + in_quotes(scene.bodies[object.body].name),
               "an object of no other body");
     object.body = body;
   }
   if (!matched)
-    fail_at(file, part.line, "no object named " + quoted(part.name),
+    fail_at(file, part.line, "no object named " + in_quotes(part.name),
             "a name or pattern of objects (" + names_of(scene.objects) + ")");
 }
 
@@ -129,7 +130,7 @@ void apply_glows(const std::vector<GlowBlock>& blocks, const std::string& file, 
   for (const GlowBlock& block : blocks) {
     const uint32_t material = find_named(scene.materials, block.material.name);
     if (material == kNone)
-      fail_at(file, block.material.line, quoted(block.material.name),
+      fail_at(file, block.material.line, in_quotes(block.material.name),
               "the name of a material (" + names_of(scene.materials) + ")");
     std::erase_if(scene.glows, [&](const Glow& glow) { return glow.material == material; });
     scene.glows.push_back({material, block.keys});

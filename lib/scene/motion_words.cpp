@@ -1,9 +1,8 @@
 // A motion file as lines of words.
 #include "scene/motion_words.h"
 
-#include <charconv>
-
 #include "base/error.h"
+#include "scene/import_text.h"
 
 namespace strad {
 namespace {
@@ -11,8 +10,6 @@ namespace {
 // Numbers above this are refused, so that squares and products of lengths stay finite in single precision
 // too.
 constexpr double kLargestNumber = 1e15;
-// Longest part of a word that a message repeats.
-constexpr size_t kShownLength = 40;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 
@@ -23,7 +20,7 @@ size_t take_quoted(std::string_view line, size_t begin, int number, const std::s
   if (close == std::string_view::npos) fail_at(file, number, "end of line", "a closing quote");
   word = line.substr(begin + 1, close - begin - 1);
   if (close + 1 < line.size() && !is_blank(line[close + 1]) && line[close + 1] != '#')
-    fail_at(file, number, quoted(line.substr(close + 1)), "a blank after the closing quote");
+    fail_at(file, number, in_quotes(line.substr(close + 1)), "a blank after the closing quote");
   return close + 1;
 }
 
@@ -51,20 +48,6 @@ void fail_at(const std::string& file, int line, const std::string& found, const 
   throw BadInput(file + ":" + std::to_string(line) + ": found " + found + ", expected " + expected);
 }
 
-std::string quoted(std::string_view word) {
-  constexpr char kHex[] = "0123456789abcdef";
-  std::string shown = "\"";
-  for (const char c : word.substr(0, kShownLength)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f)
-      shown += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
-    else
-      shown += c;
-  }
-  if (word.size() > kShownLength) shown += "...";
-  return shown + "\"";
-}
-
 std::vector<MotionLine> motion_lines(std::string_view text, const std::string& file) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
@@ -86,16 +69,10 @@ std::string MotionWords::word(const std::string& expected) {
 }
 
 double MotionWords::number(const std::string& expected) {
-  const std::string text = word(expected);
-  const char *begin = text.data(), *end = begin + text.size();
-  // from_chars takes no plus sign; one is fine, a second is not.
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') ++begin;
-  double value = 0;
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  const bool whole = stop == end && error == std::errc();
-  if (!whole || !std::isfinite(value)) fail(expected);
-  if (!(std::abs(value) <= kLargestNumber)) fail("a number of at most 1e15");
-  return value;
+  const std::optional<double> value = number_in(word(expected));
+  if (!value) fail(expected);
+  if (!(std::abs(*value) <= kLargestNumber)) fail("a number of at most 1e15");
+  return *value;
 }
 
 Vec3 MotionWords::vector(const std::string& what) {
@@ -105,10 +82,12 @@ Vec3 MotionWords::vector(const std::string& what) {
 }
 
 void MotionWords::expect_end() const {
-  if (!at_end()) fail(quoted(line_.words[next_]), "end of line");
+  if (!at_end()) fail(in_quotes(line_.words[next_]), "end of line");
 }
 
-void MotionWords::fail(const std::string& expected) const { fail(quoted(line_.words[next_ - 1]), expected); }
+void MotionWords::fail(const std::string& expected) const {
+  fail(in_quotes(line_.words[next_ - 1]), expected);
+}
 
 void MotionWords::fail(const std::string& found, const std::string& expected) const {
   fail_at(file_, line_.number, found, expected);

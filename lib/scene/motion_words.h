@@ -23,9 +23,6 @@ std::vector<MotionLine> motion_lines(std::string_view text, const std::string& f
 [[noreturn]] void fail_at(const std::string& file, int line, const std::string& found,
                           const std::string& expected);
 
-// `word` between quotes, shortened and with control characters made visible, for messages.
-std::string quoted(std::string_view word);
-
 // Takes the words of a line one by one.
 class MotionWords {
  public:
