@@ -44,12 +44,6 @@ Rgb irradiance_at(const VertexLight& light, const MeshPoint& point) {
   return sum;
 }
 
-std::vector<Rgb> reflectances_of(const Scene& scene) {
-  std::vector<Rgb> reflectances;
-  for (const Material& material : scene.materials) reflectances.push_back(mean_reflectance(scene, material));
-  return reflectances;
-}
-
 // Points of the additive golden-ratio sequence, ascending: even, and off the dyadic dates at which pieces
 // meet.
 std::vector<double> dates_in(double begin, double end) {
@@ -93,7 +87,7 @@ std::string seconds_text(double begin, double end) {
 Image radiance_of(const Scene& scene, const Solution& solution, const std::vector<SurfaceSample>& samples,
                   const std::vector<double>& times, bool continuous) {
   Image image(static_cast<uint32_t>(times.size()), static_cast<uint32_t>(samples.size()));
-  const std::vector<Rgb> reflectances = reflectances_of(scene);
+  const std::vector<Rgb> reflectances = textured_reflectances(scene);
   std::vector<MeshPoint> points;
   uint32_t located = kNone;
   for (uint32_t x = 0; x < image.width; ++x) {
