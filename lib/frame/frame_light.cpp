@@ -1,0 +1,22 @@
+#include "frame/frame_light.h"
+
+namespace strad {
+
+FrameLight::FrameLight(const Slab& slab, const Reconstruction& reconstruction, double begin, double end,
+                       const FrameLightOptions& options)
+    : mesh_(slab.mesh), reconstruction_(reconstruction), flat_(options.flat) {
+  VertexLight light =
+      end > begin ? light_over(slab, begin, end, !options.flat) : light_at(slab, begin, !options.flat);
+  vertex_irradiance_ = std::move(light.indirect);
+  if (!options.with_direct) return;
+  for (size_t v = 0; v < vertex_irradiance_.size(); ++v) vertex_irradiance_[v] += light.direct[v];
+}
+
+Rgb FrameLight::irradiance(uint32_t polygon, bool front, Vec2 at, uint32_t* leaf) const {
+  const uint32_t face = mesh_.face_of_side[2 * size_t{polygon} + (front ? 0 : 1)];
+  if (face == kNone) return {};
+  if (flat_) return reconstruction_.flat(vertex_irradiance_, face, at, leaf);
+  return reconstruction_.smooth(vertex_irradiance_, face, at);
+}
+
+}  // namespace strad

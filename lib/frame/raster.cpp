@@ -1,0 +1,75 @@
+#include "frame/raster.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "frame/tile.h"
+
+namespace strad {
+namespace {
+
+constexpr uint32_t kTileSide = 32;  // pixels: small enough to share out a small frame
+constexpr int kShutterInstants =
+    64;  // poses over an open shutter: more than a pixel's samples, so no steps show
+
+// The instants of an exposure: one, or the middles of equal parts.
+std::vector<double> exposure_times(double time, double shutter) {
+  if (!(shutter > 0)) return {time};
+  std::vector<double> times;
+  for (int i = 0; i < kShutterInstants; ++i) times.push_back(time + shutter * (i + 0.5) / kShutterInstants);
+  return times;
+}
+
+std::vector<TileRect> tiles_of(uint32_t width, uint32_t height) {
+  std::vector<TileRect> tiles;
+  for (uint32_t y = 0; y < height; y += kTileSide) {
+    for (uint32_t x = 0; x < width; x += kTileSide) {
+      tiles.push_back({x, y, std::min(x + kTileSide, width), std::min(y + kTileSide, height)});
+    }
+  }
+  return tiles;
+}
+
+void check(const RasterOptions& options) {
+  if (options.samples < 1)
+    throw BadInput("samples: found " + std::to_string(options.samples) + ", expected at least 1");
+  if (!(options.shutter >= 0)) throw BadInput("shutter: expected 0 or more");
+}
+
+}  // namespace
+
+Raster::Raster(const Scene& scene)
+    : scene_(scene), tracer_(scene), surfaces_(scene, tracer_), lights_(area_lights(scene)) {}
+Raster::~Raster() = default;
+
+const Reconstruction& Raster::reconstruction_for(const Slab& slab) {
+  const bool known = reconstructed_ == &slab && reconstructed_begin_ == slab_begin(slab);
+  if (!known) {
+    reconstruction_ = std::make_unique<Reconstruction>(slab.mesh);
+    reconstructed_ = &slab;
+    reconstructed_begin_ = slab_begin(slab);
+  }
+  return *reconstruction_;
+}
+
+Image Raster::render(const Slab& slab, const Camera& camera, double time, const RasterOptions& options) {
+  check(options);
+  const bool trace_direct = options.direct == DirectFrom::kPixel;
+  const double end =
+      std::min(time + options.shutter, slab_end(slab));  // beyond, the light is not this slab's
+  const FrameLight light(slab, reconstruction_for(slab), time, end, {!trace_direct, options.flat});
+  FrameView view{scene_, tracer_, surfaces_, light, {}, {}, trace_direct ? lights_.size() : 0, trace_direct};
+  for (const double instant : exposure_times(time, options.shutter)) {
+    view.instants.push_back(lit_instant(scene_, lights_, instant));
+    view.cameras.emplace_back(camera_at(camera, instant), options.width, options.height);
+  }
+  Image image(options.width, options.height);
+  const std::vector<TileRect> tiles = tiles_of(options.width, options.height);
+  parallel_for(tiles.size(), 1, [&](size_t first, size_t last) {
+    for (size_t t = first; t < last; ++t) render_tile(view, options.samples, tiles[t], &image);
+  });
+  return image;
+}
+
+}  // namespace strad

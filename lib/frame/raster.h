@@ -1,0 +1,51 @@
+// Raster frames: direct light by shadow rays over the solution's indirect light, or all from the solution.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "frame/frame_light.h"
+#include "frame/lights.h"
+#include "frame/surfaces.h"
+#include "image/image.h"
+#include "light/tracer.h"
+#include "scene/scene.h"
+#include "solve/solution.h"
+
+namespace strad {
+
+enum class DirectFrom { kPixel, kMesh };
+
+struct RasterOptions {
+  uint32_t width = 640, height = 480;  // pixels
+  int samples = 16;                    // a pixel, where more than one thing shows in it; 1: its centre only
+  double shutter = 0;                  // s that the shutter is open from the frame's time on, >= 0
+  DirectFrom direct = DirectFrom::kPixel;
+  bool flat = false;  // elements and intervals of the solution as they are
+};
+
+class Raster {
+ public:
+  explicit Raster(const Scene& scene);  // keeps a reference
+  ~Raster();
+  Raster(const Raster&) = delete;
+  Raster& operator=(const Raster&) = delete;
+
+  // Radiance, linear. REQUIRES: `slab` holds `time`, with its pieces to the end of the shutter or of the
+  // slab. The picture is the same for any number of threads and whatever was rendered before.
+  Image render(const Slab& slab, const Camera& camera, double time, const RasterOptions& options);
+
+ private:
+  const Reconstruction& reconstruction_for(const Slab& slab);
+
+  const Scene& scene_;
+  Tracer tracer_;
+  Surfaces surfaces_;
+  std::vector<AreaLight> lights_;
+  std::unique_ptr<Reconstruction> reconstruction_;  // of the last slab
+  const Slab* reconstructed_ = nullptr;
+  double reconstructed_begin_ = 0;
+};
+
+}  // namespace strad

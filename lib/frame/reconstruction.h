@@ -1,0 +1,35 @@
+// Irradiance anywhere on a face from the values at the vertices of its mesh: continuous, without cracks where
+// a leaf meets smaller ones.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "base/rgb.h"
+#include "solve/mesh.h"
+
+namespace strad {
+
+class Reconstruction {
+ public:
+  explicit Reconstruction(const Mesh& mesh);  // keeps a reference
+
+  // Bilinear on quads and linear on triangles, plus what the vertices of smaller neighbours on the leaf's
+  // edges deviate from that, fading linearly towards the opposite side (a Coons patch of the deviations).
+  Rgb smooth(const std::vector<Rgb>& vertex_values, uint32_t face, Vec2 uv) const;
+
+  // The leaf's mean: the elements as they are.
+  Rgb flat(const std::vector<Rgb>& vertex_values, uint32_t face, Vec2 uv, uint32_t* leaf) const;
+
+ private:
+  uint32_t middle_of(uint32_t a, uint32_t b) const;
+  Rgb deviation(const std::vector<Rgb>& values, uint32_t a, uint32_t b, uint32_t middle, double s) const;
+
+  const Mesh& mesh_;
+  std::unordered_map<uint64_t, uint32_t> middles_;  // of edges, by their ends
+  std::vector<uint32_t> edge_middles_;  // [4 * element + edge]: on a leaf, the vertex that hangs there
+  std::vector<bool> hanging_;           // per element: any of its edges has one
+};
+
+}  // namespace strad

@@ -1,0 +1,87 @@
+#include "frame/shading.h"
+
+namespace strad {
+namespace {
+
+// Neighbours whose normals differ by less than 15 degrees may be parts of one curved surface.
+const double kCosSmooth = std::cos(15 * kPi / 180);
+
+Rgb reflected(const Sight& sight, Rgb irradiance) {
+  return static_cast<float>(1 / kPi) * sight.reflectance * irradiance;
+}
+
+// Radiance may change by a fifth from corner to corner of a pixel before it needs more samples: the mean of
+// four corners is exact for what is linear.
+bool near_in_radiance(Rgb a, Rgb b) {
+  for (int c = 0; c < 3; ++c) {
+    if (!(std::abs(a[c] - b[c]) <= 0.1f * (a[c] + b[c]))) return false;
+  }
+  return true;
+}
+
+// Does b lie on the continuation of the surface at a? Steps between parallel faces do not.
+bool continues(const SurfacePoint& a, const SurfacePoint& b) {
+  if (dot(a.normal, b.normal) < kCosSmooth) return false;
+  const Vec3 across = b.position - a.position;
+  return std::abs(dot(across, a.normal)) <= 0.3 * length(across);
+}
+
+}  // namespace
+
+Sample take_sample(const FrameView& view, size_t instant, double x, double y, ShadowPoints points,
+                   AreaShare* shares) {
+  std::fill(shares, shares + view.area_light_count, AreaShare{});
+  const LitInstant& lit = view.instants[instant];
+  const CameraRays& camera = view.cameras[instant];
+  const Sight sight = view.surfaces.look(lit.instant, camera.from(), camera.direction(x, y));
+  Sample sample;
+  sample.point = sight.point;
+  sample.front = sight.front;
+  sample.base = sight.emission;
+  if (sight.point.polygon == kNone || is_black(sight.reflectance)) return sample;
+  Rgb irradiance = view.light.irradiance(sight.point.polygon, sight.front, sight.at, &sample.leaf);
+  if (view.trace_direct)
+    irradiance += spot_irradiance(view.scene, view.tracer, lit, sight.point, &sample.spots);
+  sample.base += reflected(sight, irradiance);
+  thread_local AreaView area;
+  for (size_t l = 0; l < view.area_light_count; ++l) {
+    if (is_black(lit.radiance[l])) continue;
+    look_at(lit.emitters[l], sight.point, &area);
+    shares[l].radiance = static_cast<float>(area.irradiance) * reflected(sight, lit.radiance[l]);
+    add_shadow_rays(view.tracer, lit, lit.emitters[l], sight.point, area, points.first, points.count,
+                    &shares[l].shadow);
+  }
+  return sample;
+}
+
+void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t light,
+                     ShadowPoints points, AreaShare* share) {
+  const LitInstant& lit = view.instants[instant];
+  thread_local AreaView area;
+  look_at(lit.emitters[light], sample.point, &area);
+  add_shadow_rays(view.tracer, lit, lit.emitters[light], sample.point, area, points.first, points.count,
+                  &share->shadow);
+}
+
+Rgb radiance(const FrameView& view, const Sample& sample, const AreaShare* shares) {
+  Rgb sum = sample.base;
+  for (size_t l = 0; l < view.area_light_count; ++l)
+    sum += free_fraction(shares[l].shadow) * shares[l].radiance;
+  return sum;
+}
+
+bool on_one_surface(const FrameView& view, const Sample& a, const Sample& b) {
+  if (a.point.polygon == kNone || b.point.polygon == kNone || a.front != b.front) return false;
+  if (a.point.polygon == b.point.polygon) return true;
+  const Polygon& of_a = view.scene.polygons[a.point.polygon];
+  const Polygon& of_b = view.scene.polygons[b.point.polygon];
+  return of_a.object == of_b.object && of_a.material == of_b.material && continues(a.point, b.point);
+}
+
+bool alike(const FrameView& view, const Sample& a, const Sample& b) {
+  if (a.point.polygon == kNone && b.point.polygon == kNone) return true;
+  return on_one_surface(view, a, b) && a.leaf == b.leaf && a.spots == b.spots &&
+         near_in_radiance(a.base, b.base);
+}
+
+}  // namespace strad

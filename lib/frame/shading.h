@@ -1,0 +1,66 @@
+// What single rays of a frame see. A sample keeps apart what the renderer filters apart.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "frame/camera.h"
+#include "frame/frame_light.h"
+#include "frame/lights.h"
+#include "frame/surfaces.h"
+
+namespace strad {
+
+// All that the samples of one frame share.
+struct FrameView {
+  const Scene& scene;
+  const Tracer& tracer;
+  const Surfaces& surfaces;
+  const FrameLight& light;
+  std::vector<CameraRays> cameras;   // one an instant
+  std::vector<LitInstant> instants;  // of the exposure, evenly spread; one where the shutter is not open
+  size_t area_light_count = 0;       // 0 also where direct light comes from the mesh
+  bool trace_direct = true;
+};
+
+// Area light on its way to a sample, before what stands between is taken off.
+struct AreaShare {
+  Rgb radiance;   // what it would add to the sample's
+  Shadow shadow;  // what the rays so far say
+};
+
+struct Sample {
+  SurfacePoint point;  // polygon kNone: nothing was hit
+  bool front = true;
+  uint32_t leaf = kNone;  // of the mesh, where elements show
+  uint64_t spots = 0;     // which of them reach the point
+  Rgb base;               // radiance of all but area lights
+};
+
+// Points [first, first + count) of the area lights' sequences.
+struct ShadowPoints {
+  uint32_t first = 0, count = 0;
+};
+
+// A sample through (x, y), pixels, at an instant. `shares`: area_light_count of them, filled here with the
+// shadow rays to `points`.
+Sample take_sample(const FrameView& view, size_t instant, double x, double y, ShadowPoints points,
+                   AreaShare* shares);
+
+// Adds shadow rays to share `light` of a sample.
+void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t light,
+                     ShadowPoints points, AreaShare* share);
+
+// The free fraction of an area light.
+inline float free_fraction(const Shadow& shadow) { return shadow.all > 0 ? shadow.seen / shadow.all : 0; }
+
+// Radiance of a sample, all light together.
+Rgb radiance(const FrameView& view, const Sample& sample, const AreaShare* shares);
+
+// Do both lie on one smooth surface, on the same side?
+bool on_one_surface(const FrameView& view, const Sample& a, const Sample& b);
+
+// May both be taken for neighbours on one smooth surface under the same lights?
+bool alike(const FrameView& view, const Sample& a, const Sample& b);
+
+}  // namespace strad

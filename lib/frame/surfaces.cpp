@@ -1,0 +1,55 @@
+#include "frame/surfaces.h"
+
+#include "frame/texture.h"
+#include "solve/mesh.h"
+
+namespace strad {
+
+Surfaces::Surfaces(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer_(tracer) {
+  planes_.reserve(scene.polygons.size());
+  for (const Polygon& polygon : scene.polygons) planes_.push_back(plane_of(scene, polygon));
+}
+
+Surfaces::Plane Surfaces::plane_of(const Scene& scene, const Polygon& polygon) {
+  const auto corner = [&](int i) { return scene.vertices[polygon.corners[i]]; };
+  const bool quad = polygon.corner_count() == 4;
+  Plane plane;
+  plane.origin = corner(0);
+  plane.normal = polygon_normal(scene, polygon);
+  const Vec3 e = corner(1) - corner(0), f = corner(quad ? 3 : 2) - corner(0);
+  // Columns of the inverse of (e f n): cross products over the determinant.
+  const double determinant = dot(cross(e, f), plane.normal);
+  plane.to_u = cross(f, plane.normal) / determinant;
+  plane.to_v = cross(plane.normal, e) / determinant;
+  const bool parallelogram = !quad || length(corner(2) - corner(1) - f) <= 1e-9 * (length(e) + length(f));
+  plane.affine = parallelogram && is_finite(plane.to_u) && is_finite(plane.to_v);
+  return plane;
+}
+
+Sight Surfaces::at(const Instant& instant, uint32_t p, bool front, Vec3 rest_point) const {
+  const Polygon& polygon = scene_.polygons[p];
+  const Material& material = scene_.materials[polygon.material];
+  const Plane& plane = planes_[p];
+  const Pose& pose = instant.world_from_body[body_of(scene_, polygon)];
+  Sight sight;
+  sight.front = front;
+  sight.point = {pose * rest_point, rotate(pose, front ? plane.normal : -plane.normal), p};
+  const Vec3 from_origin = rest_point - plane.origin;
+  sight.at = plane.affine ? Vec2{dot(from_origin, plane.to_u), dot(from_origin, plane.to_v)}
+                          : parametric_of(scene_, polygon, rest_point);
+  sight.reflectance = material.reflectance;
+  if (has_texture(scene_, polygon)) {
+    const Vec2 uv = texture_uv(scene_, polygon, sight.at);
+    sight.reflectance = sight.reflectance * texture_colour(scene_.textures[material.texture], uv);
+  }
+  if (front) sight.emission = instant.glow[polygon.material] * material.emission;
+  return sight;
+}
+
+Sight Surfaces::look(const Instant& instant, Vec3 from, Vec3 direction) const {
+  const SurfaceHit hit = tracer_.closest(instant.world_from_body, from, direction);
+  if (hit.polygon == kNone) return {};
+  return at(instant, hit.polygon, hit.front, hit.rest_point);
+}
+
+}  // namespace strad

@@ -1,0 +1,44 @@
+// What a ray meets: the point, the side, and how it reflects and emits.
+#pragma once
+
+#include <vector>
+
+#include "light/direct.h"
+#include "light/tracer.h"
+#include "scene/scene.h"
+
+namespace strad {
+
+struct Sight {
+  SurfacePoint point;  // polygon kNone: the ray left the scene
+  bool front = true;
+  Vec2 at;  // parametric, on the polygon
+  Rgb reflectance;
+  Rgb emission;  // radiance towards the ray's origin, glow included
+};
+
+class Surfaces {
+ public:
+  Surfaces(const Scene& scene, const Tracer& tracer);  // keeps references
+
+  // REQUIRES: `direction` has length 1.
+  Sight look(const Instant& instant, Vec3 from, Vec3 direction) const;
+
+  // The point of a polygon at a rest position on it.
+  Sight at(const Instant& instant, uint32_t polygon, bool front, Vec3 rest_point) const;
+
+ private:
+  // (p - origin) . to_u and . to_v are the parametric position of p; for quads that are no parallelograms
+  // parametric_of does it.
+  struct Plane {
+    Vec3 origin, to_u, to_v, normal;
+    bool affine = false;
+  };
+  static Plane plane_of(const Scene& scene, const Polygon& polygon);
+
+  const Scene& scene_;
+  const Tracer& tracer_;
+  std::vector<Plane> planes_;  // per polygon, rest
+};
+
+}  // namespace strad

@@ -1,0 +1,59 @@
+#include "frame/texture.h"
+
+#include <array>
+#include <cmath>
+
+#include "image/srgb.h"
+
+namespace strad {
+namespace {
+
+const std::array<float, 256>& linear_of_byte() {
+  static const std::array<float, 256> table = [] {
+    std::array<float, 256> values;
+    for (int i = 0; i < 256; ++i) values[static_cast<size_t>(i)] = linear_from_byte(static_cast<uint8_t>(i));
+    return values;
+  }();
+  return table;
+}
+
+Rgb texel(const Texture& texture, uint32_t column, uint32_t row) {
+  const uint8_t* srgb = &texture.srgb[3 * (size_t{row} * texture.width + column)];
+  const std::array<float, 256>& linear = linear_of_byte();
+  return {linear[srgb[0]], linear[srgb[1]], linear[srgb[2]]};
+}
+
+// The two texels that a coordinate in texels lies between, and how far on, repeating.
+struct Between {
+  uint32_t low, high;
+  float part;
+};
+Between between(double coordinate, uint32_t count) {
+  const double wrapped = coordinate - std::floor(coordinate / count) * count;
+  const double below = std::floor(wrapped);
+  const uint32_t low = static_cast<uint32_t>(below) % count;
+  return {low, (low + 1) % count, static_cast<float>(wrapped - below)};
+}
+
+}  // namespace
+
+Rgb texture_colour(const Texture& texture, Vec2 uv) {
+  if (!std::isfinite(uv.x) || !std::isfinite(uv.y) || texture.width == 0 || texture.height == 0) return {};
+  const Between x = between(uv.x * texture.width - 0.5, texture.width);
+  const Between y = between((1 - uv.y) * texture.height - 0.5, texture.height);
+  const Rgb upper = (1 - x.part) * texel(texture, x.low, y.low) + x.part * texel(texture, x.high, y.low);
+  const Rgb lower = (1 - x.part) * texel(texture, x.low, y.high) + x.part * texel(texture, x.high, y.high);
+  return (1 - y.part) * upper + y.part * lower;
+}
+
+Vec2 texture_uv(const Scene& scene, const Polygon& polygon, Vec2 at) {
+  const auto uv = [&](int i) { return scene.uvs[polygon.uvs[i]]; };
+  const double u = at.x, v = at.y;
+  const bool quad = polygon.corner_count() == 4;
+  const double w0 = quad ? (1 - u) * (1 - v) : 1 - u - v, w1 = quad ? u * (1 - v) : u;
+  const double w2 = quad ? u * v : v, w3 = quad ? (1 - u) * v : 0;
+  const Vec2 a = uv(0), b = uv(1), c = uv(2), d = quad ? uv(3) : Vec2{};
+  return {w0 * a.x + w1 * b.x + w2 * c.x + w3 * d.x, w0 * a.y + w1 * b.y + w2 * c.y + w3 * d.y};
+}
+
+}  // namespace strad

@@ -1,0 +1,21 @@
+// Colours of textures, looked up point by point.
+#pragma once
+
+#include "base/rgb.h"
+#include "scene/scene.h"
+
+namespace strad {
+
+// Linear colour at texture coordinates `uv`, bilinear between texel centres, repeated beyond [0, 1).
+// (0, 0) is the lower left corner, as in OBJ files.
+Rgb texture_colour(const Texture& texture, Vec2 uv);
+
+// Texture coordinates at the parametric position `at` of a polygon (see parametric_of).
+// REQUIRES: the polygon has them.
+Vec2 texture_uv(const Scene& scene, const Polygon& polygon, Vec2 at);
+
+inline bool has_texture(const Scene& scene, const Polygon& polygon) {
+  return scene.materials[polygon.material].texture != kNone && polygon.uvs[0] != kNone;
+}
+
+}  // namespace strad

@@ -1,0 +1,24 @@
+// A rectangle of a frame, rendered on its own.
+#pragma once
+
+#include <cstdint>
+
+#include "frame/shading.h"
+#include "image/image.h"
+
+namespace strad {
+
+struct TileRect {
+  uint32_t left, top, right, bottom;  // pixels, right and bottom beyond the last
+};
+
+// Renders the pixels of `rect`, each as it would come out in any other rectangle.
+//
+// A pixel is the mean of samples at its corners, which it shares with its neighbours, where these see one
+// smooth surface under the same lights; elsewhere of `samples` samples inside it. Corners begin with few
+// shadow rays to each area light and get more where they or their neighbours disagree. The points on the
+// light differ among the 4 x 4 corners around a pixel and make one well-spread set together, over which the
+// visible fraction is averaged where it is smooth (interleaved sampling, Keller & Heidrich 2001).
+void render_tile(const FrameView& view, int samples, TileRect rect, Image* image);
+
+}  // namespace strad
