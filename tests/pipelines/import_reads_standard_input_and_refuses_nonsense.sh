@@ -6,8 +6,9 @@ cd "$work"
 printf 'newmtl lamp\nKd 0.5 0.5 0.5\n' > m.mtl
 printf 'mtllib m.mtl\nusemtl lamp\nv 0 0 0\nv 1 0 0\nv 1 0 -1\nf 1 2 3\n' > room.obj
 strad-import -o file.strad room.obj
-strad-import < room.obj > pipe.strad
-strad-import - < room.obj | cmp - pipe.strad
+strad-import < room.obj > redirected.strad
+cat room.obj | strad-import | cmp - redirected.strad
+[[ $(strad-import -v - < room.obj 2>&1 > dash.strad) == 'strad-import: 1 polygons, 1 objects, 1 materials' ]]
 
 refused() {  # expected line, then the arguments
   local expected=$1 status=0
