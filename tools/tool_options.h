@@ -1,23 +1,14 @@
 // Options of a command line, strictly read. Errors become one line and exit status 2.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-namespace strad {
+#include "tool_words.h"
 
-// Plain decimal numbers, all of the text, finite: no `nan`, no octal, no units. Throw BadInput "WHAT: ...".
-double parse_number(std::string_view text, const std::string& what);
-int parse_integer(std::string_view text, const std::string& what);
-// "1,2,3" with any number of parts, each a number.
-std::vector<double> parse_numbers(std::string_view text, char separator, const std::string& what);
-// Exactly three: "X,Y,Z" or "R,G,B".
-std::array<double, 3> parse_triple(std::string_view text, const std::string& what);
-std::vector<std::string> split(std::string_view text, char separator);
+namespace strad {
 
 // What every tool has. `--help` and `--version` are there for all; the rest where asked for.
 struct Common {

@@ -88,9 +88,12 @@ void refuse(const StreamReader& reader, const ChunkView& chunk) {
                  ": this version of strad does not know it, and it must not be left out");
 }
 
-Stream read_stream(StreamReader& reader) {
+Stream read_stream(StreamReader& reader, const std::function<void(const ChunkView&)>& see) {
   Gatherer gatherer(reader);
-  while (const auto chunk = reader.next()) gatherer.add(*chunk);
+  while (const auto chunk = reader.next()) {
+    if (see) see(*chunk);
+    gatherer.add(*chunk);
+  }
   return gatherer.finish();
 }
 

@@ -1,6 +1,7 @@
 // All that a stream holds, read and written as a whole. For one instant after another see solution_file.h.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,8 @@ struct Stream {
 
 // Throws BadInput, IoError. "" or "-": standard input.
 Stream read_stream(const std::string& path);
-Stream read_stream(StreamReader& reader);
+Stream read_stream(StreamReader& reader,
+                   const std::function<void(const ChunkView&)>& see = {});  // sees each chunk
 // REQUIRES: scene and solution pass validate().
 void write_stream(const Stream& stream, StreamWriter& writer);
 
