@@ -34,7 +34,7 @@ DiffOptions parse_options(int argc, char** argv) {
   options.number("--rel-rmse", "X", &o.rel_rmse, "fail when the RMSE over the mean of A is above X");
   options.number("--max", "X", &o.largest, "fail when the largest difference is above X");
   options.number("--flicker", "X", &o.flicker, "fail when the flicker of sequence B is above X");
-  options.text("-f,--frames", "F:L:S", &o.frames,
+  options.text("-f,--frames", "LIST", &o.frames,
                "only these frames of sequences, as 1:600, 1:600:10 or 61,150:152");
   options.text("--image", "OUT", &o.files.heat_map, "write a heat map, white from half the mean of A on");
   options.text("--twin", "A2", &o.files.twin,
