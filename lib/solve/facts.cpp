@@ -1,13 +1,26 @@
 #include "solve/facts.h"
 
+#include <charconv>
 #include <map>
 
 namespace strad {
 namespace {
 
 Fact number(double value) { return {value}; }
+// What is stored as a float is told as shortly as a float can be.
+Fact number(float value) {
+  char text[32];
+  const char* end = std::to_chars(text, text + sizeof text, value).ptr;
+  double shortest = 0;
+  std::from_chars(text, end, shortest);
+  return {shortest};
+}
+Fact number(size_t value) { return {static_cast<double>(value)}; }
 Fact text(std::string value) { return {std::move(value)}; }
-Fact point(Vec3 p) { return {FactList{number(p.x), number(p.y), number(p.z)}}; }
+Fact point(Vec3 p) {
+  const auto coordinate = [](double x) { return number(static_cast<float>(x)); };
+  return {FactList{coordinate(p.x), coordinate(p.y), coordinate(p.z)}};
+}
 Fact colour(Rgb c) { return {FactList{number(c.r), number(c.g), number(c.b)}}; }
 
 template <typename Item, typename Describe>
@@ -44,7 +57,7 @@ Fact body(const Scene& scene, const Body& body) {
   return {FactGroup{{"name", text(body.name)},
                     {"on", text(scene.bodies[body.parent].name)},
                     {"objects", number(objects)},
-                    {"keys", number(static_cast<double>(body.keys.size()))}}};
+                    {"keys", number(body.keys.size())}}};
 }
 
 Fact spot(const Scene& scene, const Spot& spot) {
@@ -52,7 +65,7 @@ Fact spot(const Scene& scene, const Spot& spot) {
                     {"on", text(scene.bodies[spot.body].name)},
                     {"inner degrees", number(spot.inner * 180 / kPi)},
                     {"outer degrees", number(spot.outer * 180 / kPi)},
-                    {"keys", number(static_cast<double>(spot.keys.size()))}}};
+                    {"keys", number(spot.keys.size())}}};
 }
 
 Fact material(const Scene& scene, const Material& material) {
@@ -63,16 +76,16 @@ Fact material(const Scene& scene, const Material& material) {
 }
 
 Fact glow(const Scene& scene, const Glow& glow) {
-  return {FactGroup{{"material", text(scene.materials[glow.material].name)},
-                    {"keys", number(static_cast<double>(glow.keys.size()))}}};
+  return {
+      FactGroup{{"material", text(scene.materials[glow.material].name)}, {"keys", number(glow.keys.size())}}};
 }
 
 Fact camera(const Camera& camera) {
-  return {FactGroup{{"name", text(camera.name)}, {"keys", number(static_cast<double>(camera.keys.size()))}}};
+  return {FactGroup{{"name", text(camera.name)}, {"keys", number(camera.keys.size())}}};
 }
 
 Fact scene_facts(const Scene& scene) {
-  const auto size = [](const auto& items) { return number(static_cast<double>(items.size())); };
+  const auto size = [](const auto& items) { return number(items.size()); };
   return {FactGroup{
       {"polygons", size(scene.polygons)},
       {"vertices", size(scene.vertices)},
@@ -82,7 +95,7 @@ Fact scene_facts(const Scene& scene) {
       {"start s", number(scene.start)},
       {"end s", number(scene.end)},
       {"rate 1/s", number(scene.rate)},
-      {"frames", number(frame_count(scene))},
+      {"frames", number(static_cast<size_t>(frame_count(scene)))},
       {"emitters", emitters(scene)},
       {"materials", list_of(scene.materials, [&](const Material& m) { return material(scene, m); })},
       {"bodies", list_of(scene.bodies, [&](const Body& b) { return body(scene, b); })},
@@ -104,11 +117,11 @@ Fact slab_facts(const Slab& slab) {
   return {FactGroup{{"begin s", number(slab_begin(slab))},
                     {"end s", number(slab_end(slab))},
                     {"basis", text("m" + std::to_string(slab.grid.order))},
-                    {"spans", number(static_cast<double>(slab.grid.spans.size()))},
-                    {"cells", number(slab.grid.cell_count())},
-                    {"vertices", number(static_cast<double>(slab.mesh.vertices.size()))},
-                    {"elements", number(static_cast<double>(slab.mesh.elements.size()))},
-                    {"faces", number(static_cast<double>(slab.mesh.faces.size()))},
+                    {"spans", number(slab.grid.spans.size())},
+                    {"cells", number(size_t{slab.grid.cell_count()})},
+                    {"vertices", number(slab.mesh.vertices.size())},
+                    {"elements", number(slab.mesh.elements.size())},
+                    {"faces", number(slab.mesh.faces.size())},
                     {"pieces", number(piece_count(slab))},
                     {"coefficients", number(coefficient_count(slab))}}};
 }
@@ -160,10 +173,10 @@ Fact bytes_by_type(const std::vector<ChunkFacts>& chunks) {
 }
 
 Fact chunk_facts(const ChunkFacts& chunk) {
-  return {FactGroup{{"offset", number(static_cast<double>(chunk.offset))},
+  return {FactGroup{{"offset", number(size_t{chunk.offset})},
                     {"type", text(name_of(chunk.type))},
-                    {"stored bytes", number(static_cast<double>(chunk.stored))},
-                    {"content bytes", number(static_cast<double>(chunk.content))}}};
+                    {"stored bytes", number(size_t{chunk.stored})},
+                    {"content bytes", number(size_t{chunk.content})}}};
 }
 
 }  // namespace

@@ -121,4 +121,10 @@ void Output::commit() {
   file_->commit();
 }
 
+void write_text_file(const std::string& path, const std::string& text) {
+  Output output(path);
+  output.write(text);
+  output.commit();
+}
+
 }  // namespace strad

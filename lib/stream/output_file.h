@@ -46,4 +46,7 @@ class Output {
   std::FILE* handle_ = nullptr;
 };
 
+// `text` as the whole of a file, or to standard output.
+void write_text_file(const std::string& path, const std::string& text);
+
 }  // namespace strad
