@@ -17,7 +17,7 @@ struct SolveOptions {
   std::optional<double> end;
   std::optional<double> instant;  // s: solve this one date
   bool clusters = true;           // false: links between surfaces only
-  double residual = 1e-3;         // iterate until the largest change of mean radiance falls below, relative
+  double residual = 1e-4;         // iterate until the largest change of mean radiance falls below, relative
 };
 
 struct PhaseStats {

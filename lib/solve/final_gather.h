@@ -1,0 +1,71 @@
+// Indirect irradiance at the vertices of the mesh: one gather by rays over the radiance that the links have
+// found.
+//
+// Links carry light well but mean it over patches; a ray sees exactly what a point sees, near things
+// included. A ray of a vertex at rest needs to be traced again only while a moving body is near it; vertices
+// of moving bodies trace theirs at key dates, and what two neighbouring key dates see is blended between
+// them, with the light of each very date. So the gather is as steady in time as the motion.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/rgb.h"
+#include "light/tracer.h"
+#include "solve/nodes.h"
+#include "solve/swept.h"
+#include "time/time_grid.h"
+
+namespace strad {
+
+struct GatheredFunction {
+  std::vector<Rgb>
+      irradiance;  // W / m^2, at every node of the grid, scaled up to what a free hemisphere would get
+  std::vector<float> open;  // at every node: share of the hemisphere that is not blocked by dead surfaces
+};
+
+class FinalGather {
+ public:
+  // `radiance`: [node][date] without emission, empty for nodes that are no leaves or stay dark. Keeps
+  // references.
+  FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
+              const std::vector<std::vector<Rgb>>& radiance, int rays);
+
+  GatheredFunction at_vertex(uint32_t vertex, uint64_t* rays) const;
+  // The mean over a node: each ray starts at another point of it. Not scaled up: what is blocked is dark.
+  GatheredFunction over_node(uint32_t node, uint64_t* rays) const;
+
+  // Share of the hemisphere over a node that sees surfaces which take part in the exchange, in [0, 1].
+  float openness(uint32_t node, uint64_t* rays) const;
+
+ private:
+  // Where rays start: all at one point, or spread over a patch; rest.
+  struct Receiver {
+    Vec3 position, normal;
+    uint32_t body = 0;
+    uint64_t seed = 0;
+    bool spread = false;
+    PatchPoints patch{};
+  };
+  Receiver receiver_of_vertex(uint32_t vertex) const;
+  Receiver receiver_of_node(uint32_t node) const;
+  GatheredFunction gather(const Receiver& receiver, uint64_t* rays) const;
+  GatheredFunction at_rest(const Receiver& receiver, uint64_t* rays) const;
+  GatheredFunction in_motion(const Receiver& receiver, uint64_t* rays) const;
+  Vec3 direction(const Receiver& receiver, int ray) const;
+  Vec3 origin(const Receiver& receiver, int ray) const;
+  uint32_t leaf_of(const SurfaceHit& hit) const;
+  void add(uint32_t leaf, uint32_t first_date, uint32_t date_count, const float* weights,
+           GatheredFunction* to) const;
+
+  const NodeTree& tree_;
+  const Tracer& tracer_;
+  const TimeGrid& grid_;
+  const SweptBounds& swept_;
+  const std::vector<std::vector<Rgb>>& radiance_;
+  int ray_count_;
+  std::vector<bool> still_mask_, moving_mask_;
+  std::vector<Box> swept_boxes_;  // of each moving body, over all time
+};
+
+}  // namespace strad

@@ -1,0 +1,195 @@
+#include "solve/indirect_phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/parallel.h"
+
+namespace strad {
+namespace {
+
+int parent_count(const MeshVertex& vertex) {
+  return vertex.parents[0] == kNone ? 0 : vertex.parents[2] == kNone ? 2 : 4;
+}
+
+}  // namespace
+
+IndirectPhase::IndirectPhase(const Scene& scene, const TimeGrid& grid, const FinalGather& gather,
+                             const IndirectOptions& options, const std::vector<bool>& lit,
+                             MeshBuilder* builder)
+    : scene_(scene), grid_(grid), gather_(gather), options_(options), lit_(lit), builder_(*builder) {
+  for (const Polygon& polygon : scene.polygons) total_area_ += polygon_area(scene, polygon);
+}
+
+void IndirectPhase::evaluate(const std::vector<uint32_t>& vertices) {
+  functions_.resize(builder_.mesh().vertices.size());
+  std::vector<uint32_t> fresh;
+  for (const uint32_t v : vertices)
+    if (functions_[v].irradiance.empty()) fresh.push_back(v);
+  std::sort(fresh.begin(), fresh.end());
+  fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
+  std::vector<uint64_t> rays(fresh.size(), 0);
+  parallel_for(fresh.size(), 4, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) functions_[fresh[i]] = gather_.at_vertex(fresh[i], &rays[i]);
+  });
+  rays_ += std::accumulate(rays.begin(), rays.end(), uint64_t{0});
+  evaluated_ += fresh.size();
+}
+
+std::vector<Rgb> IndirectPhase::parents_mean(uint32_t vertex) const {
+  const MeshVertex& v = builder_.mesh().vertices[vertex];
+  const int count = parent_count(v);
+  std::vector<Rgb> mean(grid_.node_count());
+  for (int p = 0; p < count; ++p) {
+    // A parent without a function of its own (it hangs, or belongs to direct light alone) is the mean of its
+    // own.
+    const std::vector<Rgb>& own = values(v.parents[p]);
+    const std::vector<Rgb> inherited = own.empty() ? parents_mean(v.parents[p]) : std::vector<Rgb>{};
+    const std::vector<Rgb>& of_parent = own.empty() ? inherited : own;
+    for (size_t i = 0; i < mean.size(); ++i) mean[i] += (1.0f / static_cast<float>(count)) * of_parent[i];
+  }
+  return mean;
+}
+
+// Do the vertices that splitting this element has added differ from what their parents foretold?
+bool IndirectPhase::worth_splitting(uint32_t element) const {
+  const Mesh& mesh = builder_.mesh();
+  const Element& e = mesh.elements[element];
+  const auto at = [&](int i) { return mesh.vertices[e.vertices[i]].position; };
+  const double edge = std::max(length(at(1) - at(0)), length(at(2) - at(1)));
+  if (edge < 2 * options_.smallest_element) return false;
+  if (edge > 2 * options_.largest_element) return true;
+  const Polygon& polygon = scene_.polygons[mesh.faces[builder_.face_of(element)].polygon];
+  const double area = length(cross(at(1) - at(0), at(2) - at(0))) * (e.corner_count() == 4 ? 1 : 0.5);
+  const auto scale = static_cast<float>(max_channel(scene_.materials[polygon.material].reflectance) / kPi *
+                                        std::sqrt(0.25 * area / total_area_));
+  uint32_t middles[5];
+  const int count = builder_.middles(element, middles);
+  for (int m = 0; m < count; ++m) {
+    const std::vector<Rgb> foretold = parents_mean(middles[m]);
+    const GatheredFunction& own = functions_[middles[m]];
+    for (size_t i = 0; i < foretold.size(); ++i) {
+      float open = own.open[i];
+      for (int p = 0; p < parent_count(mesh.vertices[middles[m]]); ++p) {
+        const std::vector<float>& of_parent = functions_[mesh.vertices[middles[m]].parents[p]].open;
+        if (!of_parent.empty()) open = std::min(open, of_parent[i]);
+      }
+      if (open < 0.5f) continue;  // buried: what is known there is not light
+      const Rgb surplus = own.irradiance[i] - foretold[i];
+      if (std::max({std::abs(surplus.r), std::abs(surplus.g), std::abs(surplus.b)}) * scale >
+          options_.threshold)
+        return true;
+    }
+  }
+  return false;
+}
+
+void IndirectPhase::run() {
+  const Mesh& mesh = builder_.mesh();
+  std::vector<uint32_t> level, vertices;
+  for (size_t f = 0; f < lit_.size(); ++f) {
+    if (!lit_[f]) continue;
+    level.push_back(mesh.faces[f].element);
+    for (int c = 0; c < mesh.elements[level.back()].corner_count(); ++c)
+      vertices.push_back(mesh.elements[level.back()].vertices[c]);
+  }
+  evaluate(vertices);
+  visited_ = level;
+  while (!level.empty()) {
+    std::vector<uint32_t> split;
+    vertices.clear();
+    for (const uint32_t element : level) {
+      const Element& e = mesh.elements[element];
+      const double edge =
+          std::max(length(mesh.vertices[e.vertices[1]].position - mesh.vertices[e.vertices[0]].position),
+                   length(mesh.vertices[e.vertices[2]].position - mesh.vertices[e.vertices[1]].position));
+      if (edge < options_.smallest_element) continue;
+      if (e.first_child == kNone) builder_.split(element);
+      split.push_back(element);
+      uint32_t middles[5];
+      const int count = builder_.middles(element, middles);
+      vertices.insert(vertices.end(), middles, middles + count);
+    }
+    evaluate(vertices);
+    std::vector<char> deeper(split.size());
+    parallel_for(split.size(), 16, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) deeper[i] = worth_splitting(split[i]);
+    });
+    std::vector<uint32_t> next;
+    for (size_t i = 0; i < split.size(); ++i)
+      for (uint32_t c = 0; c < 4; ++c) {
+        const uint32_t child = mesh.elements[split[i]].first_child + c;
+        visited_.push_back(child);
+        if (deeper[i]) next.push_back(child);
+      }
+    level = std::move(next);
+  }
+}
+
+// A vertex inside another body sees nothing but its dark inside: give it what its free neighbours have, so
+// that no dark cell shows at the foot of things.
+void IndirectPhase::fill_buried() {
+  const Mesh& mesh = builder_.mesh();
+  std::vector<std::vector<uint32_t>> neighbours(functions_.size());
+  for (const uint32_t element : visited_) {
+    const Element& e = mesh.elements[element];
+    const int n = e.corner_count();
+    for (int i = 0; i < n; ++i) {
+      neighbours[e.vertices[i]].push_back(e.vertices[(i + 1) % n]);
+      neighbours[e.vertices[(i + 1) % n]].push_back(e.vertices[i]);
+    }
+  }
+  // Two rounds reach two elements deep; what lies farther inside is never seen.
+  for (int round = 0; round < 2; ++round) {
+    const std::vector<GatheredFunction> known = functions_;
+    parallel_for(functions_.size(), 64, [&](size_t begin, size_t end) {
+      for (size_t v = begin; v < end; ++v) {
+        if (known[v].irradiance.empty()) continue;
+        for (size_t i = 0; i < known[v].irradiance.size(); ++i) {
+          const float open = known[v].open[i];
+          if (open > 0.95f) continue;
+          Rgb sum;
+          float weight = 0;
+          for (const uint32_t n : neighbours[v]) {
+            if (known[n].irradiance.empty()) continue;
+            const float w = std::max(0.0f, known[n].open[i] - open);
+            sum += w * known[n].irradiance[i];
+            weight += w;
+          }
+          if (!(weight > 0)) continue;
+          const float own = std::clamp(2 * open - 1, 0.0f, 1.0f);  // below one half of a view: not one's own
+          functions_[v].irradiance[i] = own * known[v].irradiance[i] + ((1 - own) / weight) * sum;
+          functions_[v].open[i] = std::max(open, 0.6f);
+        }
+      }
+    });
+  }
+}
+
+Field IndirectPhase::surpluses(float tolerance) {
+  const Mesh& mesh = builder_.mesh();
+  functions_.resize(mesh.vertices.size());
+  fill_buried();
+  const std::vector<bool> hanging = builder_.hanging_vertices();
+  Field field;
+  field.order = grid_.order;
+  for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (hanging[v]) functions_[v] = {};
+    const std::vector<Rgb>& own = values(v);
+    if (own.empty()) {
+      if (parent_count(mesh.vertices[v]) == 0) functions_[v].irradiance.resize(grid_.node_count());
+      field.first_piece.push_back(static_cast<uint32_t>(field.pieces.size()));
+      continue;
+    }
+    std::vector<Rgb> row = own;
+    if (parent_count(mesh.vertices[v]) > 0) {
+      const std::vector<Rgb> mean = parents_mean(v);
+      for (size_t i = 0; i < row.size(); ++i) row[i] = row[i] - mean[i];
+    }
+    append_row(grid_, row, {}, tolerance, &field);
+  }
+  return field;
+}
+
+}  // namespace strad

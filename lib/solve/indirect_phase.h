@@ -1,0 +1,54 @@
+// Indirect light on the mesh: a final gather at vertices, refined in space while it surprises.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/rgb.h"
+#include "solve/final_gather.h"
+#include "solve/mesh_builder.h"
+#include "time/field.h"
+#include "time/time_grid.h"
+
+namespace strad {
+
+struct IndirectOptions {
+  double largest_element = 0.8;    // m
+  double smallest_element = 0.05;  // m
+  float threshold = 0;  // split while surplus radiance * sqrt(area / total area) exceeds it, W / (sr m^2)
+};
+
+class IndirectPhase {
+ public:
+  // Keeps references. Refines the faces for which `lit` is set.
+  IndirectPhase(const Scene& scene, const TimeGrid& grid, const FinalGather& gather,
+                const IndirectOptions& options, const std::vector<bool>& lit, MeshBuilder* builder);
+
+  void run();
+
+  // Surpluses of every vertex of the builder's mesh as it is now, with an error about `tolerance` (W / m^2).
+  Field surpluses(float tolerance);
+
+  uint64_t rays() const { return rays_; }
+  uint64_t evaluated() const { return evaluated_; }
+
+ private:
+  void evaluate(const std::vector<uint32_t>& vertices);
+  bool worth_splitting(uint32_t element) const;
+  void fill_buried();
+  std::vector<Rgb> parents_mean(uint32_t vertex) const;
+  const std::vector<Rgb>& values(uint32_t vertex) const { return functions_[vertex].irradiance; }
+
+  const Scene& scene_;
+  const TimeGrid& grid_;
+  const FinalGather& gather_;
+  IndirectOptions options_;
+  std::vector<bool> lit_;
+  MeshBuilder& builder_;
+  double total_area_ = 0;
+  std::vector<GatheredFunction> functions_;  // a vertex; empty where none was wanted
+  std::vector<uint32_t> visited_;            // elements whose corners have functions
+  uint64_t rays_ = 0, evaluated_ = 0;
+};
+
+}  // namespace strad

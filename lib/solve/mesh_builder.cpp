@@ -1,0 +1,172 @@
+#include "solve/mesh_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "base/rng.h"
+
+namespace strad {
+namespace {
+
+uint64_t edge_key(uint32_t a, uint32_t b) {
+  return (static_cast<uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+}
+
+// For each vertex the first vertex at the same place, so that faces meet where only their positions agree.
+std::vector<uint32_t> merged_positions(const std::vector<Vec3>& vertices) {
+  std::vector<uint32_t> order(vertices.size()), first(vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto key = [&](uint32_t v) { return std::tuple(vertices[v].x, vertices[v].y, vertices[v].z, v); };
+  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
+  for (size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && vertices[order[i]] == vertices[order[i - 1]] ? first[order[i - 1]] : order[i];
+  return first;
+}
+
+}  // namespace
+
+size_t MeshBuilder::CornerHash::operator()(const CornerKey& key) const {
+  uint64_t h = hash_of(key.position, key.body, key.side);
+  for (const int n : key.normal) h = mix64(h ^ static_cast<uint64_t>(static_cast<int64_t>(n)));
+  return h;
+}
+
+MeshBuilder::MeshBuilder(const Scene& scene)
+    : scene_(scene), position_of_vertex_(merged_positions(scene.vertices)) {
+  mesh_.face_of_side.assign(2 * scene.polygons.size(), kNone);
+}
+
+uint32_t MeshBuilder::face(uint32_t polygon, uint32_t side) {
+  uint32_t& face = mesh_.face_of_side[2 * polygon + side];
+  if (face != kNone) return face;
+  face = static_cast<uint32_t>(mesh_.faces.size());
+  const uint32_t root = add_element({}, face, kNone);
+  mesh_.faces.push_back({polygon, side, root});
+  const int corners = scene_.polygons[polygon].corner_count();
+  for (int c = 0; c < corners; ++c) {
+    const uint32_t vertex = corner_vertex(polygon, side, c);
+    mesh_.elements[root].vertices[c] = vertex;
+  }
+  return face;
+}
+
+// Neighbours in one plane share their corners, so that light is continuous across them.
+uint32_t MeshBuilder::corner_vertex(uint32_t polygon, uint32_t side, int corner) {
+  const Polygon& p = scene_.polygons[polygon];
+  const Vec3 n = polygon_normal(scene_, p);
+  const auto coarse = [](double x) { return static_cast<int>(std::lround(x * 1000)); };
+  const CornerKey key{position_of_vertex_[p.corners[corner]],
+                      body_of(scene_, p),
+                      side,
+                      {coarse(n.x), coarse(n.y), coarse(n.z)}};
+  const auto [it, added] = corners_.try_emplace(key, static_cast<uint32_t>(mesh_.vertices.size()));
+  if (added) {
+    MeshVertex vertex;
+    vertex.position = scene_.vertices[p.corners[corner]];
+    mesh_.vertices.push_back(vertex);
+    face_of_vertex_.push_back(mesh_.face_of_side[2 * polygon + side]);
+    Vec3 centre;
+    for (int c = 0; c < p.corner_count(); ++c) centre += scene_.vertices[p.corners[c]] / p.corner_count();
+    sample_points_.push_back(lerp(vertex.position, centre, 0.01));
+  }
+  return it->second;
+}
+
+Vec3 MeshBuilder::centre_of(uint32_t element) const {
+  const Element& e = mesh_.elements[element];
+  Vec3 centre;
+  for (int c = 0; c < e.corner_count(); ++c)
+    centre += mesh_.vertices[e.vertices[c]].position / e.corner_count();
+  return centre;
+}
+
+uint32_t MeshBuilder::add_vertex(MeshVertex vertex, uint32_t element) {
+  // 2 % of the element inwards keeps clear of walls that the edge touches, and is less than light can
+  // resolve.
+  sample_points_.push_back(lerp(vertex.position, centre_of(element), 0.02));
+  face_of_vertex_.push_back(face_of_element_[element]);
+  mesh_.vertices.push_back(vertex);
+  return static_cast<uint32_t>(mesh_.vertices.size() - 1);
+}
+
+uint32_t MeshBuilder::add_element(const Element& element, uint32_t face, uint32_t parent) {
+  mesh_.elements.push_back(element);
+  face_of_element_.push_back(face);
+  parent_of_element_.push_back(parent);
+  return static_cast<uint32_t>(mesh_.elements.size() - 1);
+}
+
+uint32_t MeshBuilder::middle(uint32_t a, uint32_t b) const {
+  const auto it = middle_of_edge_.find(edge_key(a, b));
+  return it == middle_of_edge_.end() ? kNone : it->second;
+}
+
+uint32_t MeshBuilder::edge_middle(uint32_t a, uint32_t b, uint32_t element) {
+  const uint32_t known = middle(a, b);
+  if (known != kNone) return known;
+  MeshVertex vertex;
+  vertex.parents[0] = std::min(a, b);
+  vertex.parents[1] = std::max(a, b);
+  vertex.position =
+      0.5 * (mesh_.vertices[vertex.parents[0]].position + mesh_.vertices[vertex.parents[1]].position);
+  return middle_of_edge_[edge_key(a, b)] = add_vertex(vertex, element);
+}
+
+void MeshBuilder::split(uint32_t element) {
+  const Element parent = mesh_.elements[element];
+  const int n = parent.corner_count();
+  const uint32_t* v = parent.vertices;
+  uint32_t m[4];  // m[i]: middle of the edge from corner i to the next
+  for (int i = 0; i < n; ++i) m[i] = edge_middle(v[i], v[(i + 1) % n], element);
+  Element children[4];
+  if (n == 4) {
+    MeshVertex centre;
+    for (int i = 0; i < 4; ++i) {
+      centre.parents[i] = v[i];
+      centre.position += 0.25 * mesh_.vertices[v[i]].position;
+    }
+    const uint32_t mid = add_vertex(centre, element);
+    children[0] = {{v[0], m[0], mid, m[3]}};
+    children[1] = {{m[0], v[1], m[1], mid}};
+    children[2] = {{mid, m[1], v[2], m[2]}};
+    children[3] = {{m[3], mid, m[2], v[3]}};
+  } else {
+    children[0] = {{v[0], m[0], m[2], kNone}};
+    children[1] = {{m[0], v[1], m[1], kNone}};
+    children[2] = {{m[2], m[1], v[2], kNone}};
+    children[3] = {{m[1], m[2], m[0], kNone}};
+  }
+  mesh_.elements[element].first_child = static_cast<uint32_t>(mesh_.elements.size());
+  for (const Element& child : children) add_element(child, face_of_element_[element], element);
+}
+
+int MeshBuilder::middles(uint32_t element, uint32_t* vertices) const {
+  const Element& e = mesh_.elements[element];
+  const int n = e.corner_count();
+  for (int i = 0; i < n; ++i) vertices[i] = middle(e.vertices[i], e.vertices[(i + 1) % n]);
+  if (n == 3) return 3;
+  vertices[4] = mesh_.elements[e.first_child].vertices[2];
+  return 5;
+}
+
+void MeshBuilder::mark_hanging(uint32_t a, uint32_t b, std::vector<bool>* hanging) const {
+  const uint32_t m = middle(a, b);
+  if (m == kNone) return;
+  (*hanging)[m] = true;
+  mark_hanging(a, m, hanging);
+  mark_hanging(m, b, hanging);
+}
+
+std::vector<bool> MeshBuilder::hanging_vertices() const {
+  std::vector<bool> hanging(mesh_.vertices.size(), false);
+  for (const Element& e : mesh_.elements) {
+    if (e.first_child != kNone) continue;
+    const int n = e.corner_count();
+    for (int i = 0; i < n; ++i) mark_hanging(e.vertices[i], e.vertices[(i + 1) % n], &hanging);
+  }
+  return hanging;
+}
+
+}  // namespace strad

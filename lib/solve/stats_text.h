@@ -1,0 +1,12 @@
+// What a solve did and cost, as JSON (design 1.6).
+#pragma once
+
+#include <string>
+
+#include "solve/solve.h"
+
+namespace strad {
+
+std::string stats_as_json(const SolveStats& stats);
+
+}  // namespace strad

@@ -1,0 +1,57 @@
+// The space-time solve: adds the light of the whole animation to the stream.
+#include "solve/solve.h"
+#include "solve/stats_text.h"
+#include "tool.h"
+
+namespace {
+
+struct SolveArguments {
+  strad::Common common;
+  strad::SolveOptions solve;
+  std::string stream, stats, provenance;
+};
+
+SolveArguments parse_arguments(int argc, char** argv) {
+  SolveArguments a;
+  std::string basis = "m3", slab;
+  bool no_clusters = false;
+  strad::Options options("strad-solve", "Solves light transport for a whole animation at once.", &a.common);
+  options.output();
+  options.jobs();
+  options.number("-e,--error", "E", &a.solve.error, "tolerated error, fraction of the scene's mean radiance (0.02)");
+  options.choice("--basis", {"m1", "m2", "m3"}, &basis, "functions of time: m1 constant (Haar), m2 linear, m3 quadratic (m3)");
+  options.text("--time", "A:B", &slab, "solve only the slab from A to B seconds");
+  options.number("--at", "T", &a.solve.instant, "solve the single instant T, seconds");
+  options.flag("--no-clusters", &no_clusters, "link surfaces only, for comparison");
+  options.text("--stats", "FILE", &a.stats, "write what the solve did and cost to FILE, as JSON");
+  options.unrecorded("--stats", true);
+  options.file("STREAM", &a.stream, "scene stream; absent or -: standard input");
+  options.parse(argc, argv);
+  a.solve.order = basis[1] - '0';
+  a.solve.clusters = !no_clusters;
+  if (!slab.empty()) {
+    const std::vector<double> ends = strad::parse_numbers(slab, ':', "--time");
+    if (ends.size() != 2 || !(ends[0] < ends[1])) throw strad::BadInput("--time: found '" + slab + "', expected A:B with A < B");
+    a.solve.begin = ends[0];
+    a.solve.end = ends[1];
+  }
+  a.provenance = options.provenance();
+  return a;
+}
+
+int solve(const SolveArguments& a) {
+  strad::Stream stream = strad::read_stream(a.stream);
+  strad::SolveStats stats;
+  strad::Solution solution;
+  solution.slabs.push_back(strad::solve(stream.scene, a.solve, &stats, strad::progress_bar(a.common)));
+  stream.solution = std::move(solution);
+  strad::write_stream(std::move(stream), a.provenance, a.common);
+  if (!a.stats.empty()) strad::write_text_file(a.stats, strad::stats_as_json(stats));
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return strad::run_tool("strad-solve", [&] { return solve(parse_arguments(argc, argv)); });
+}
