@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/error.h"
 #include "scene/import_text.h"
 #include "scene/motion_blocks.h"
 #include "scene/motion_words.h"
@@ -152,7 +153,12 @@ void apply_motion(std::string_view text, const std::string& file, Scene& scene) 
   apply_spots(blocks.spots, file, scene);
   apply_glows(blocks.glows, file, scene);
   for (const Camera& camera : blocks.cameras) put_named(scene.cameras, camera);
-  validate(scene);
+  try {
+    validate(scene);
+  } catch (const BadInput& error) {
+    // What only the whole shows, such as too many frames.
+    throw BadInput(file + ": " + error.what());
+  }
 }
 
 }  // namespace strad

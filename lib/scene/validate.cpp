@@ -110,6 +110,7 @@ void check_glows(const Scene& scene) {
     const std::string& name = scene.materials[glow.material].name;
     if (glows[glow.material]) fail("glow", name, "its material has another glow");
     glows[glow.material] = true;
+    if (glow.keys.empty()) fail("glow", name, "it has no key");
     check_times(glow.keys, "glow", name);
     for (const GlowKey& key : glow.keys)
       if (!(key.value >= 0 && std::isfinite(key.value)))

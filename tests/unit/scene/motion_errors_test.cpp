@@ -152,6 +152,10 @@ INSTANTIATE_TEST_SUITE_P(Lights, MotionErrors, testing::ValuesIn(kLights), name_
 INSTANTIATE_TEST_SUITE_P(Cameras, MotionErrors, testing::ValuesIn(kCameras), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Statements, MotionErrors, testing::ValuesIn(kStatements), name_of_case);
 
+TEST(MotionFile, what_only_the_whole_shows_names_the_file) {
+  EXPECT_EQ(complaint_about("time 0 1e9\nrate 50\n"), "m: there are too many frames");
+}
+
 TEST(MotionFile, a_zero_byte_is_told) {
   EXPECT_EQ(complaint_about(std::string("time 0 1\nra\0te", 14)),
             "m:2: found a zero byte, expected a motion file, which is text");
