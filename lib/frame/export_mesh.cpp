@@ -1,0 +1,262 @@
+#include "frame/export_mesh.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+
+#include "frame/texture.h"
+#include "image/srgb.h"
+#include "solve/mesh.h"
+
+namespace strad {
+namespace {
+
+constexpr int kDates = 8;  // at which the light of quads is looked at
+constexpr float kFlatness =
+    0.004f;  // tolerated error of cutting a quad in two, fraction of the mean irradiance
+
+uint64_t edge_key(uint32_t a, uint32_t b) {
+  return (static_cast<uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+}
+
+// A point of a leaf: vertices whose mean it is, and its place on the polygon.
+struct LeafPoint {
+  std::array<uint32_t, 4> vertices{kNone, kNone, kNone, kNone};
+  Vec3 position;
+};
+
+LeafPoint mean_of(const Mesh& mesh, const uint32_t* vertices, int count) {
+  LeafPoint point;
+  for (int i = 0; i < count; ++i) {
+    point.vertices[i] = vertices[i];
+    point.position += mesh.vertices[vertices[i]].position / count;
+  }
+  return point;
+}
+
+// All vertices where an edge is split, and the leaves whose light two triangles would not carry.
+class Leaves {
+ public:
+  explicit Leaves(const Slab& slab) : mesh_(slab.mesh) {
+    for (uint32_t v = 0; v < mesh_.vertices.size(); ++v) {
+      const uint32_t* parents = mesh_.vertices[v].parents;
+      if (parents[0] != kNone && parents[2] == kNone) middle_of_edge_[edge_key(parents[0], parents[1])] = v;
+    }
+    mark_twisted(slab);
+  }
+
+  // Corners of a leaf and the vertices that hang on its edges, in order.
+  std::vector<uint32_t> outline(const Element& leaf) const {
+    std::vector<uint32_t> vertices;
+    const int n = leaf.corner_count();
+    for (int i = 0; i < n; ++i) add_edge(leaf.vertices[i], leaf.vertices[(i + 1) % n], &vertices);
+    return vertices;
+  }
+  bool twisted(uint32_t element) const { return twisted_[element]; }
+
+ private:
+  // The edge from a up to, but without, b.
+  void add_edge(uint32_t a, uint32_t b, std::vector<uint32_t>* vertices) const {
+    const auto middle = middle_of_edge_.find(edge_key(a, b));
+    if (middle == middle_of_edge_.end()) return vertices->push_back(a);
+    add_edge(a, middle->second, vertices);
+    add_edge(middle->second, b, vertices);
+  }
+
+  void mark_twisted(const Slab& slab) {
+    twisted_.assign(mesh_.elements.size(), false);
+    for (int i = 0; i < kDates; ++i) {
+      const double s = (i + 0.5) / kDates;
+      mark_twisted(light_at(slab, slab_begin(slab) + s * (slab_end(slab) - slab_begin(slab))));
+    }
+  }
+
+  void mark_twisted(const VertexLight& light) {
+    if (light.direct.empty()) return;
+    double sum = 0;
+    for (size_t v = 0; v < light.direct.size(); ++v) {
+      sum += max_channel(light.direct[v] + light.indirect[v]);
+    }
+    const float tolerance = kFlatness * static_cast<float>(sum / static_cast<double>(light.direct.size()));
+    for (size_t e = 0; e < mesh_.elements.size(); ++e) {
+      const Element& leaf = mesh_.elements[e];
+      if (leaf.first_child != kNone || leaf.corner_count() == 3 || twisted_[e]) continue;
+      const float twist = std::max(twist_of(leaf, light.direct), twist_of(leaf, light.indirect));
+      twisted_[e] =
+          twist / 4 > tolerance;  // in the middle, the bilinear quad differs from its diagonal by this
+    }
+  }
+
+  static float twist_of(const Element& leaf, const std::vector<Rgb>& values) {
+    const uint32_t* v = leaf.vertices;
+    const Rgb twist = values[v[0]] - values[v[1]] + values[v[2]] - values[v[3]];
+    return max_channel({std::abs(twist.r), std::abs(twist.g), std::abs(twist.b)});
+  }
+
+  const Mesh& mesh_;
+  std::unordered_map<uint64_t, uint32_t> middle_of_edge_;  // looked up only, never iterated
+  std::vector<bool> twisted_;
+};
+
+Rgb mean_colour(const Texture& texture) {
+  double sum[3] = {0, 0, 0};
+  for (size_t i = 0; i < texture.srgb.size(); ++i) sum[i % 3] += linear_from_byte(texture.srgb[i]);
+  const double texels = std::max<double>(1, static_cast<double>(texture.srgb.size() / 3));
+  const auto mean = [&](int channel) { return static_cast<float>(sum[channel] / texels); };
+  return {mean(0), mean(1), mean(2)};
+}
+
+// What makes two corners one.
+using CornerKey = std::tuple<std::array<uint32_t, 4>, uint32_t, bool, bool, double, double>;
+
+// The corners and triangles of one body as they are added.
+class BodyBuilder {
+ public:
+  BodyBuilder(const Scene& scene, double lift) : scene_(scene), lift_(lift) {}
+
+  void add_fan(uint32_t polygon, uint32_t side, bool lifted, const std::vector<LeafPoint>& outline) {
+    const uint32_t first = corner(polygon, side, lifted, outline[0]);
+    uint32_t previous = corner(polygon, side, lifted, outline[1]);
+    for (size_t i = 2; i < outline.size(); ++i) {
+      const uint32_t next = corner(polygon, side, lifted, outline[i]);
+      if (side == 0) body_.triangles.push_back({first, previous, next});
+      if (side == 1) body_.triangles.push_back({first, next, previous});
+      previous = next;
+    }
+  }
+
+  // Corners ordered by material, so that a writer can give each material a range.
+  ExportBody take(uint32_t body) {
+    body_.body = body;
+    std::vector<uint32_t> order(body_.corners.size()), rank(order.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+      const ExportCorner &first = body_.corners[a], &second = body_.corners[b];
+      return std::tie(first.material, first.textured) < std::tie(second.material, second.textured);
+    });
+    std::vector<ExportCorner> sorted;
+    sorted.reserve(order.size());
+    for (uint32_t i = 0; i < order.size(); ++i) {
+      rank[order[i]] = i;
+      sorted.push_back(body_.corners[order[i]]);
+    }
+    body_.corners = std::move(sorted);
+    for (auto& triangle : body_.triangles) {
+      for (uint32_t& corner : triangle) corner = rank[corner];
+    }
+    return std::move(body_);
+  }
+
+ private:
+  uint32_t corner(uint32_t polygon_index, uint32_t side, bool lifted, const LeafPoint& point) {
+    const Polygon& polygon = scene_.polygons[polygon_index];
+    ExportCorner corner;
+    std::copy(point.vertices.begin(), point.vertices.end(), corner.vertices);
+    corner.material = polygon.material;
+    corner.emits = side == 0 && emits(scene_, polygon);
+    corner.textured = has_texture(scene_, polygon);
+    if (corner.textured) {
+      corner.uv = texture_uv(scene_, polygon, parametric_of(scene_, polygon, point.position));
+    }
+    corner.position = point.position;
+    if (lifted) corner.position += -lift_ * polygon_normal(scene_, polygon);
+    const auto index = static_cast<uint32_t>(body_.corners.size());
+    if (point.vertices[0] != kNone) {
+      const CornerKey key{point.vertices, corner.material, corner.textured,
+                          corner.emits,   corner.uv.x,     corner.uv.y};
+      const auto [it, added] = index_of_.try_emplace(key, index);
+      if (!added) return it->second;
+    }
+    body_.corners.push_back(corner);
+    return index;
+  }
+
+  const Scene& scene_;
+  const double lift_;
+  ExportBody body_;
+  std::map<CornerKey, uint32_t> index_of_;
+};
+
+// Adds the leaves below `element`.
+void add_leaves(const Mesh& mesh, const Leaves& leaves, uint32_t element, const Face& face, bool lifted,
+                BodyBuilder* body) {
+  const Element& e = mesh.elements[element];
+  if (e.first_child != kNone) {
+    for (uint32_t c = 0; c < 4; ++c) add_leaves(mesh, leaves, e.first_child + c, face, lifted, body);
+    return;
+  }
+  const int n = e.corner_count();
+  const std::vector<uint32_t> outline = leaves.outline(e);
+  std::vector<LeafPoint> points;
+  const bool about_centre = outline.size() > static_cast<size_t>(n) || leaves.twisted(element);
+  if (about_centre) points.push_back(mean_of(mesh, e.vertices, n));
+  for (const uint32_t v : outline) points.push_back(mean_of(mesh, &v, 1));
+  if (about_centre) points.push_back(points[1]);
+  body->add_fan(face.polygon, face.side, lifted, points);
+}
+
+// The front of a polygon that no light reaches.
+void add_dark(const Scene& scene, uint32_t polygon, BodyBuilder* body) {
+  std::vector<LeafPoint> points;
+  for (int i = 0; i < scene.polygons[polygon].corner_count(); ++i) {
+    points.push_back({.position = scene.vertices[scene.polygons[polygon].corners[i]]});
+  }
+  body->add_fan(polygon, 0, false, points);
+}
+
+void add_polygon(const Scene& scene, const Mesh& mesh, const Leaves& leaves, uint32_t polygon,
+                 BodyBuilder* body) {
+  const uint32_t front = mesh.face_of_side[2 * polygon], back = mesh.face_of_side[2 * polygon + 1];
+  const bool front_shows = front != kNone || back == kNone || emits(scene, scene.polygons[polygon]);
+  if (front != kNone) {
+    add_leaves(mesh, leaves, mesh.faces[front].element, mesh.faces[front], false, body);
+  } else if (front_shows) {
+    add_dark(scene, polygon, body);
+  }
+  if (back != kNone) {
+    add_leaves(mesh, leaves, mesh.faces[back].element, mesh.faces[back], front_shows, body);
+  }
+}
+
+}  // namespace
+
+std::vector<ExportBody> export_mesh(const Scene& scene, const Slab& slab) {
+  const Leaves leaves(slab);
+  std::vector<BodyBuilder> builders(scene.bodies.size(), BodyBuilder(scene, export_lift(scene)));
+  for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
+    add_polygon(scene, slab.mesh, leaves, p, &builders[body_of(scene, scene.polygons[p])]);
+  }
+  std::vector<ExportBody> bodies;
+  for (uint32_t b = 0; b < builders.size(); ++b) {
+    ExportBody body = builders[b].take(b);
+    if (!body.triangles.empty()) bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+double export_lift(const Scene& scene) {
+  Box box;
+  for (const Vec3& vertex : scene.vertices) box.add(vertex);
+  return 1e-5 * box.diagonal();
+}
+
+Rgb corner_irradiance(const ExportCorner& corner, const std::vector<Rgb>& vertex_irradiance) {
+  Rgb sum;
+  int count = 0;
+  while (count < 4 && corner.vertices[count] != kNone) sum += vertex_irradiance[corner.vertices[count++]];
+  return count > 0 ? (1.0f / static_cast<float>(count)) * sum : sum;
+}
+
+std::vector<Rgb> textured_reflectances(const Scene& scene) {
+  std::vector<Rgb> reflectances;
+  for (const Material& material : scene.materials) {
+    Rgb reflectance = material.reflectance;
+    if (material.texture != kNone) reflectance = reflectance * mean_colour(scene.textures[material.texture]);
+    reflectances.push_back(reflectance);
+  }
+  return reflectances;
+}
+
+}  // namespace strad

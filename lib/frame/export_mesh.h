@@ -1,0 +1,49 @@
+// The solution's surfaces as triangles with light at their corners: what the exports for other programs
+// share.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "scene/scene.h"
+#include "scene/trajectory.h"
+#include "solve/solution.h"
+
+namespace strad {
+
+// A point of one side of one material, and where its light comes from.
+struct ExportCorner {
+  Vec3 position;  // rest, m
+  // Of the slab's mesh; the corner's irradiance is the mean of theirs, 0 of none.
+  uint32_t vertices[4] = {kNone, kNone, kNone, kNone};
+  uint32_t material = 0;
+  bool textured = false;
+  bool emits = false;
+  Vec2 uv;  // where textured
+};
+
+// The visible sides of all polygons that move as one.
+struct ExportBody {
+  uint32_t body = 0;
+  std::vector<ExportCorner> corners;               // ordered by material, then those without texture first
+  std::vector<std::array<uint32_t, 3>> triangles;  // of corners, counter-clockwise seen from the lit side
+};
+
+// Bodies in their order, without those that have no polygons. Leaves that larger leaves touch are cut so that
+// no edge has a corner in its middle; quads that are not flat in light (seen at several dates) are cut about
+// their centre, others in two. Both sides of a polygon are given when its back is lit too, the back lifted by
+// 1e-5 of the scene's diagonal.
+std::vector<ExportBody> export_mesh(const Scene& scene, const Slab& slab);
+
+// m: 1e-5 of the scene's diagonal. Between the two sides of a polygon, and between a lamp and the polygon it
+// stands for: more than rounding, less than shows.
+double export_lift(const Scene& scene);
+
+// What a corner receives, W / m^2.
+Rgb corner_irradiance(const ExportCorner& corner, const std::vector<Rgb>& vertex_irradiance);
+
+// Of all materials: their reflectance with the mean of their texture multiplied in.
+std::vector<Rgb> textured_reflectances(const Scene& scene);
+
+}  // namespace strad
