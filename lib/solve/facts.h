@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,10 +10,15 @@
 namespace strad {
 
 struct Fact;
-using FactGroup = std::vector<std::pair<std::string, Fact>>;  // named
+struct NamedFact;
 using FactList = std::vector<Fact>;
+using FactGroup = std::vector<NamedFact>;
 struct Fact {
   std::variant<double, std::string, FactList, FactGroup> value;
+};
+struct NamedFact {
+  std::string name;
+  Fact fact;
 };
 
 // A chunk as it stands in the stream.

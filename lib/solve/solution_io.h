@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "solve/bucket_io.h"
 #include "solve/solution.h"
 #include "stream/chunk.h"
 
@@ -24,15 +25,6 @@ std::vector<Chunk> encode_slab(const Scene& scene, const Slab& slab);
 // Grid and mesh; the fields have the right order and number of rows, and no pieces.
 Slab decode_slab(const Scene& scene, ByteSpan content, const std::string& place);
 
-// One bucket: pieces in order of row, then time.
-struct Bucket {
-  uint32_t first_cell = 0, end_cell = 0;  // all its pieces lie within
-  std::vector<uint32_t> rows;             // per piece
-  std::vector<Interval> pieces;
-  std::vector<Rgb> coefficients;
-};
-// REQUIRES: `slab` came from decode_slab.
-Bucket decode_bucket(const Slab& slab, ByteSpan content, const std::string& place);
 // The field of all `buckets`. Throws BadInput when two pieces of a row overlap.
 Field assemble_field(const Slab& slab, const std::vector<Bucket>& buckets, const std::string& place);
 

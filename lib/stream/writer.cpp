@@ -3,7 +3,7 @@
 
 namespace strad {
 
-StreamWriter::StreamWriter(Sink sink) : sink_(std::move(sink)) {
+void StreamWriter::put_prelude() {
   Bytes prelude(std::begin(kMagic), std::end(kMagic));
   put_u32(&prelude, kStreamVersion);
   put(prelude);
@@ -17,6 +17,7 @@ void StreamWriter::put(ByteSpan bytes) {
 uint64_t StreamWriter::add(ChunkType type, ByteSpan content) { return add_stored(type, compress(content)); }
 
 uint64_t StreamWriter::add_stored(ChunkType type, ByteSpan payload) {
+  if (position_ == 0) put_prelude();
   const uint64_t offset = position_;
   Bytes chunk(type.begin(), type.end());
   put_u64(&chunk, payload.size());

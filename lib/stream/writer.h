@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <utility>
 
 #include "stream/chunk.h"
 
@@ -12,7 +13,8 @@ class StreamWriter {
  public:
   // Takes bytes in order; throws IoError when it cannot.
   using Sink = std::function<void(ByteSpan)>;
-  explicit StreamWriter(Sink sink);  // writes magic and version
+  // Magic and version go out with the first chunk, so that a failure before it leaves nothing half-written.
+  explicit StreamWriter(Sink sink) : sink_(std::move(sink)) {}
 
   // Returns the offset at which the chunk stands.
   uint64_t add(ChunkType type, ByteSpan content);
@@ -23,6 +25,7 @@ class StreamWriter {
   void close(uint64_t index_offset = 0);
 
  private:
+  void put_prelude();
   void put(ByteSpan bytes);
 
   Sink sink_;

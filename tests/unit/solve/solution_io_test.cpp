@@ -22,7 +22,9 @@ namespace {
 Scene small_scene() {
   Scene scene;
   scene.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}, {0.5, 0.5, 1}};
-  scene.polygons = {{.corners = {0, 1, 2, 3}}, {.corners = {1, 4, 5, 2}}, {.corners = {0, 2, 6, kNone}}};
+  scene.polygons = {{{0, 1, 2, 3}, {kNone, kNone, kNone, kNone}, 0, 0},
+                    {{1, 4, 5, 2}, {kNone, kNone, kNone, kNone}, 0, 0},
+                    {{0, 2, 6, kNone}, {kNone, kNone, kNone, kNone}, 0, 0}};
   scene.objects = {{"all", 0}};
   scene.materials.resize(1);
   scene.end = 4;
