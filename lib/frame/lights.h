@@ -53,6 +53,9 @@ struct Shadow {
   float seen = 0, all = 0;  // sums of weights of the free rays and of all
   int rays = 0, free = 0;
 };
+// The free fraction of an area light.
+inline float free_fraction(const Shadow& shadow) { return shadow.all > 0 ? shadow.seen / shadow.all : 0; }
+
 // Adds the rays to points [first, first + count) of the light's sequence.
 void add_shadow_rays(const Tracer& tracer, const LitInstant& lit, const std::vector<Emitter>& emitters,
                      const SurfacePoint& point, const AreaView& view, uint32_t first, uint32_t count,

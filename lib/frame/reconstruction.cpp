@@ -7,8 +7,6 @@ namespace {
 
 uint64_t edge_key(uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
 
-Rgb mix(Rgb a, Rgb b, double s) { return static_cast<float>(1 - s) * a + static_cast<float>(s) * b; }
-
 }  // namespace
 
 Reconstruction::Reconstruction(const Mesh& mesh) : mesh_(mesh) {
@@ -36,47 +34,64 @@ uint32_t Reconstruction::middle_of(uint32_t a, uint32_t b) const {
 }
 
 // At s along the edge from a to b: the broken line through all vertices on it, less the straight one.
-Rgb Reconstruction::deviation(const std::vector<Rgb>& values, uint32_t a, uint32_t b, uint32_t middle,
-                              double s) const {
-  const Rgb straight = mix(values[a], values[b], s);
+template <typename Add>
+void Reconstruction::visit_deviation(uint32_t a, uint32_t b, uint32_t middle, double s, double scale,
+                                     const Add& add) const {
+  add(a, static_cast<float>(-scale * (1 - s)));
+  add(b, static_cast<float>(-scale * s));
   for (; middle != kNone; middle = middle_of(a, b)) {
     const bool second_half = s >= 0.5;
     (second_half ? a : b) = middle;
     s = 2 * s - second_half;
   }
-  return mix(values[a], values[b], s) - straight;
+  add(a, static_cast<float>(scale * (1 - s)));
+  add(b, static_cast<float>(scale * s));
 }
 
-Rgb Reconstruction::smooth(const std::vector<Rgb>& values, uint32_t face, Vec2 uv) const {
+template <typename Add>
+void Reconstruction::visit(uint32_t face, Vec2 uv, const Add& add) const {
   const MeshPoint point = locate(mesh_, face, uv);
-  Rgb sum;
-  for (int i = 0; i < 4 && point.vertices[i] != kNone; ++i)
-    sum += point.weights[i] * values[point.vertices[i]];
-  if (!hanging_[point.element]) return sum;
   const float* w = point.weights;
   const int count = mesh_.elements[point.element].corner_count();
+  for (int i = 0; i < count; ++i) add(point.vertices[i], w[i]);
+  if (!hanging_[point.element]) return;
   for (int k = 0; k < count; ++k) {
     const uint32_t middle = edge_middles_[4 * size_t{point.element} + static_cast<size_t>(k)];
     if (middle == kNone) continue;
     const int next = (k + 1) % count;
-    // How near the edge: 1 on it, 0 at the opposite edge or corner. On quads the edge's own position is found
-    // by joining each end's weight with that of the corner across.
+    // How near the edge: 1 on it, 0 at the opposite edge or corner. On quads the position along the edge is
+    // found by joining each end's weight with that of the corner across.
     const double near = w[k] + w[next];
     const double s = count == 4 ? w[next] + w[(k + 2) % 4] : near > 0 ? w[next] / near : 0;
-    const Rgb extra =
-        deviation(values, point.vertices[k], point.vertices[next], middle, std::clamp(s, 0.0, 1.0));
-    sum += static_cast<float>(near) * extra;
+    visit_deviation(point.vertices[k], point.vertices[next], middle, std::clamp(s, 0.0, 1.0), near, add);
   }
+}
+
+Rgb Reconstruction::smooth(const std::vector<Rgb>& values, uint32_t face, Vec2 uv) const {
+  Rgb sum;
+  visit(face, uv, [&](uint32_t vertex, float weight) { sum += weight * values[vertex]; });
   return sum;
+}
+
+std::vector<VertexWeight> Reconstruction::smooth_sources(uint32_t face, Vec2 uv) const {
+  std::vector<VertexWeight> sources;
+  visit(face, uv, [&](uint32_t vertex, float weight) { sources.push_back({vertex, weight}); });
+  return sources;
+}
+
+std::vector<VertexWeight> Reconstruction::flat_sources(uint32_t face, Vec2 uv) const {
+  const Element& leaf = mesh_.elements[locate(mesh_, face, uv).element];
+  const int count = leaf.corner_count();
+  std::vector<VertexWeight> sources;
+  for (int i = 0; i < count; ++i) sources.push_back({leaf.vertices[i], 1 / static_cast<float>(count)});
+  return sources;
 }
 
 Rgb Reconstruction::flat(const std::vector<Rgb>& values, uint32_t face, Vec2 uv, uint32_t* leaf) const {
   *leaf = locate(mesh_, face, uv).element;
-  const Element& element = mesh_.elements[*leaf];
-  const int count = element.corner_count();
   Rgb sum;
-  for (int i = 0; i < count; ++i) sum += values[element.vertices[i]];
-  return (1 / static_cast<float>(count)) * sum;
+  for (const VertexWeight& source : flat_sources(face, uv)) sum += source.weight * values[source.vertex];
+  return sum;
 }
 
 }  // namespace strad

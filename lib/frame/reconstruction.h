@@ -11,6 +11,11 @@
 
 namespace strad {
 
+struct VertexWeight {
+  uint32_t vertex = kNone;
+  float weight = 0;
+};
+
 class Reconstruction {
  public:
   explicit Reconstruction(const Mesh& mesh);  // keeps a reference
@@ -22,9 +27,17 @@ class Reconstruction {
   // The leaf's mean: the elements as they are.
   Rgb flat(const std::vector<Rgb>& vertex_values, uint32_t face, Vec2 uv, uint32_t* leaf) const;
 
+  // Where `smooth` and `flat` take their values from; a vertex may be there twice.
+  std::vector<VertexWeight> smooth_sources(uint32_t face, Vec2 uv) const;
+  std::vector<VertexWeight> flat_sources(uint32_t face, Vec2 uv) const;
+
  private:
   uint32_t middle_of(uint32_t a, uint32_t b) const;
-  Rgb deviation(const std::vector<Rgb>& values, uint32_t a, uint32_t b, uint32_t middle, double s) const;
+  // Calls add(vertex, weight).
+  template <typename Add>
+  void visit(uint32_t face, Vec2 uv, const Add& add) const;
+  template <typename Add>
+  void visit_deviation(uint32_t a, uint32_t b, uint32_t middle, double s, double scale, const Add& add) const;
 
   const Mesh& mesh_;
   std::unordered_map<uint64_t, uint32_t> middles_;  // of edges, by their ends

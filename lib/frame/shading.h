@@ -51,9 +51,6 @@ Sample take_sample(const FrameView& view, size_t instant, double x, double y, Sh
 void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t light,
                      ShadowPoints points, AreaShare* share);
 
-// The free fraction of an area light.
-inline float free_fraction(const Shadow& shadow) { return shadow.all > 0 ? shadow.seen / shadow.all : 0; }
-
 // Radiance of a sample, all light together.
 Rgb radiance(const FrameView& view, const Sample& sample, const AreaShare* shares);
 

@@ -1,0 +1,91 @@
+// strad-frame: frames of a solved stream, as pictures, for POV-Ray or as PLY meshes.
+#include <cmath>
+
+#include "frame/frame_list.h"
+#include "frame/write_frames.h"
+#include "tool.h"
+
+namespace {
+
+using namespace strad;
+
+constexpr int kMaxSamples = 65536;
+
+struct FrameTool {
+  Common common;
+  FrameRequest request;
+  bool pov = false, ply = false;
+};
+
+void check(const FrameTool& tool) {
+  const FrameRequest& request = tool.request;
+  const bool to_files = !request.output.empty() && request.output != "-";
+  if (!request.frames.empty() && !request.times.empty()) {
+    throw BadInput("--frames and --time: found both, expected one of them");
+  }
+  if (request.raster.samples < 1 || request.raster.samples > kMaxSamples) {
+    fail_option("--samples", std::to_string(request.raster.samples), "1 to " + std::to_string(kMaxSamples));
+  }
+  if (!(request.shutter >= 0 && request.shutter <= 1)) {
+    throw BadInput("--shutter: expected a fraction of a frame, 0 to 1");
+  }
+  if (!(std::abs(request.exposure) <= 64)) throw BadInput("--exposure: expected -64 to 64 stops");
+  if (tool.pov && tool.ply) throw BadInput("--pov and --ply: found both, expected one of them");
+  if (request.pfm && (to_files || tool.pov || tool.ply)) {
+    throw BadInput("--pfm: for pictures on standard output; a file's format follows from its name");
+  }
+  if (tool.pov && !to_files) throw BadInput("--pov: expected -o PATTERN, such as -o 'frame.%04d.inc'");
+}
+
+FrameTool parse_options(int argc, char** argv) {
+  FrameTool tool;
+  FrameRequest& request = tool.request;
+  std::string size = "640x480", direct = "pixel";
+  Options options("strad-frame", "Renders frames of a solved stream.", &tool.common);
+  options.text("-f,--frames", "A:B[:S]", &request.frames,
+               "frames A to B in steps of S, or A alone (default: all)");
+  options.text("-t,--time", "T[,T...]", &request.times, "instants in seconds, in place of frames");
+  options.text("-c,--camera", "NAME", &request.camera, "camera (default: the first)");
+  options.text("-s,--size", "WxH", &size, "size in pixels (default 640x480)");
+  options.integer("--samples", "N", &request.raster.samples,
+                  "samples of a pixel in which there are edges (default 16)");
+  options.number("--shutter", "S", &request.shutter,
+                 "motion blur: fraction of a frame that the shutter is open, 0 to 1 (default 0)");
+  options.choice("--direct", {"pixel", "mesh"}, &direct,
+                 "direct light by shadow rays, or from the solution (default pixel)");
+  options.flag("--flat", &request.raster.flat, "show the elements of the solution as they are");
+  options.number("--exposure", "EV", &request.exposure, "scale all light by 2^EV (default 0)");
+  options.flag("--pfm", &request.pfm, "linear PFM on standard output in place of PPM");
+  options.flag("--pov", &tool.pov, "write files for POV-Ray in place of pictures");
+  options.flag("--ply", &tool.ply, "write PLY meshes with light at their vertices in place of pictures");
+  options.output("write files; for several frames a pattern such as frame.%04d.exr");
+  options.jobs();
+  options.file("STREAM", &request.stream, "the stream; standard input when absent or -");
+  options.parse(argc, argv);
+  const PictureSize pixels = parse_size("--size", size);
+  request.raster.width = pixels.width;
+  request.raster.height = pixels.height;
+  request.raster.direct = direct == "mesh" ? DirectFrom::kMesh : DirectFrom::kPixel;
+  request.output = tool.common.output;
+  check(tool);
+  return tool;
+}
+
+int write_frames(const FrameTool& tool) {
+  refuse_terminal(tool.request.output);
+  const auto progress = progress_bar(tool.common);
+  if (tool.pov) {
+    write_pov(tool.request, progress);
+  } else if (tool.ply) {
+    write_ply(tool.request, progress);
+  } else {
+    write_pictures(tool.request, progress);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return strad::run_tool("strad-frame", [&] { return write_frames(parse_options(argc, argv)); });
+}
