@@ -1,13 +1,14 @@
 // strad-import: an OBJ scene, or a POV-Ray one, to a scene stream.
-#include <iostream>
-
 #include "scene/import.h"
 #include "scene/import_obj.h"
+#include "scene/import_pov.h"
 #include "tool.h"
 
 namespace {
 
 using namespace strad;
+
+constexpr int kMaxSides = 1000;
 
 struct ImportTool {
   Common common;
@@ -28,7 +29,7 @@ MaterialLight parse_light(const std::string& text) {
 ImportTool parse_options(int argc, char** argv) {
   ImportTool tool;
   std::vector<std::string> lights;
-  Options options("strad-import", "Turns an OBJ scene into a scene stream.", &tool.common);
+  Options options("strad-import", "Turns an OBJ or POV-Ray scene into a scene stream.", &tool.common);
   options.file("SCENE", &tool.path, "scene file; standard input when absent or -");
   options.output();
   options.choice("--from", {"obj", "pov"}, &tool.from,
@@ -37,21 +38,31 @@ ImportTool parse_options(int argc, char** argv) {
                 "let materials named NAME, a shell pattern, emit this radiance");
   options.number("--scale", "S", &tool.import.scale, "metres in a unit of SCENE (default 1)");
   options.choice("--up", {"y", "z"}, &tool.up, "upward axis of SCENE, turned so that y is up (default y)");
+  options.integer("--tessellate", "N", &tool.import.tessellate,
+                  "sides of a round POV-Ray object (default 16)");
   options.flag("--skip-missing", &tool.import.skip_missing, "leave out files and materials that are missing");
   options.flag("--skip-unknown", &tool.import.skip_unknown, "leave out statements that are not known");
   options.parse(argc, argv);
   for (const std::string& light : lights) tool.import.lights.push_back(parse_light(light));
   if (!(tool.import.scale > 0)) throw BadInput("--scale: expected a number above 0");
+  if (tool.import.tessellate < 3 || tool.import.tessellate > kMaxSides)
+    throw BadInput("--tessellate: expected 3 to " + std::to_string(kMaxSides) + " sides");
   tool.import.up = tool.up[0];
   tool.provenance = options.provenance();
   return tool;
+}
+
+bool is_pov(const ImportTool& tool) {
+  if (!tool.from.empty()) return tool.from == "pov";
+  return tool.path.ends_with(".pov") || tool.path.ends_with(".inc");
 }
 
 int import_scene(const ImportTool& tool) {
   refuse_terminal(tool.common.output);
   ImportReport report;
   Stream stream;
-  stream.scene = import_obj(tool.path, tool.import, &report);
+  stream.scene = is_pov(tool) ? import_pov(tool.path, tool.import, &report)
+                              : import_obj(tool.path, tool.import, &report);
   for (const std::string& line : report.lines()) note(tool.common, line);
   if (tool.common.verbose) {
     note(tool.common, std::to_string(stream.scene.polygons.size()) + " polygons, " +

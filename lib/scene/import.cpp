@@ -35,6 +35,7 @@ void turn_scene(Scene* scene, const Turned& turned) {
     for (SpotKey& key : spot.keys) {
       key.at = turned.point(key.at);
       key.aim = turned.point(key.aim);
+      key.intensity = static_cast<float>(turned.scale * turned.scale) * key.intensity;  // the same irradiance
     }
   }
   for (Camera& camera : scene->cameras) {
