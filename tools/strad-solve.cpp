@@ -40,6 +40,7 @@ SolveArguments parse_arguments(int argc, char** argv) {
 }
 
 int solve(const SolveArguments& a) {
+  strad::refuse_terminal(a.common.output);
   strad::Stream stream = strad::read_stream(a.stream);
   strad::SolveStats stats;
   strad::Solution solution;

@@ -1,7 +1,7 @@
 # Tools that write streams or pictures refuse a terminal, in one line and with status 2; text goes there.
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
-scene=$STRAD_SOURCE_DIR/scenes/cornell/cornell
+scene=$STRAD_SOURCE_DIR/scenes/shutter/shutter
 
 strad-import $scene.obj >scene.strad
 strad-motion $scene.motion scene.strad >moving.strad

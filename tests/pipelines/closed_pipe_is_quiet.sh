@@ -1,7 +1,7 @@
 # A reader that goes away ends each tool without a word.
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
-scene=$STRAD_SOURCE_DIR/scenes/cornell/cornell
+scene=$STRAD_SOURCE_DIR/scenes/shutter/shutter
 
 strad-import $scene.obj >scene.strad
 strad-motion $scene.motion scene.strad >moving.strad
@@ -19,7 +19,7 @@ set +o pipefail
 quiet strad-import $scene.obj
 quiet strad-motion $scene.motion scene.strad
 quiet strad-solve -e 0.3 moving.strad
-quiet strad-frame -f 1:40 -s 40x40 --direct mesh solved.strad
+quiet strad-frame -f 1:20 -s 40x40 --direct mesh solved.strad
 quiet strad-probe --at 0,0,0 -n 100000 solved.strad
 quiet strad-info solved.strad
 quiet strad-join solved.strad

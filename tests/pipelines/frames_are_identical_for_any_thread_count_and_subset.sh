@@ -3,7 +3,7 @@ cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
 scene=$STRAD_SOURCE_DIR/scenes/cornell/cornell
 
-strad-import $scene.obj | strad-motion $scene.motion | strad-solve -e 0.2 >solved.strad
+strad-import $scene.obj | strad-motion $scene.motion | strad-solve -e 0.3 --time 2.2:2.6 >solved.strad
 for direct in pixel mesh; do
   strad-frame -j 1 -s 40x40 --direct $direct -f 60:63 -o 'one.%04d.pfm' solved.strad
   strad-frame -j 3 -s 40x40 --direct $direct -f 60:63 -o 'three.%04d.pfm' solved.strad

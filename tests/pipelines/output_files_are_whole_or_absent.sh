@@ -32,6 +32,21 @@ if wait $!; then exit 1; fi
 test "$(cat out/a.strad)" = before
 test "$(ls -A out)" = a.strad
 
+# Frames that are there when it is interrupted are whole: 40 x 40 pixels of 12 bytes after the header.
+shutter=$STRAD_SOURCE_DIR/scenes/shutter/shutter
+strad-import $shutter.obj | strad-motion $shutter.motion | strad-solve -e 0.2 -o shutter.strad
+mkdir frames
+header='PF 40 40 -1.0 '
+strad-frame -s 40x40 -f 1:600 -o frames/%d.pfm shutter.strad &
+while [ ! -e frames/2.pfm ] && kill -0 $!; do sleep 0.01; done
+kill $!
+if wait $!; then exit 1; fi
+test "$(ls frames | wc -l)" -lt 600
+test -z "$(find frames -name '.*' -type f)"
+for file in frames/*.pfm; do
+  test "$(stat -c %s $file)" = $((12 * 40 * 40 + ${#header}))
+done
+
 # Whole where it succeeds, in place of what was there.
 strad-motion $scene.motion scene.strad -o out/a.strad
 strad-info out/a.strad >/dev/null
