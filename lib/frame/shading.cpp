@@ -12,17 +12,6 @@ Rgb reflected(const Sight& sight, Rgb irradiance) {
   return static_cast<float>(1 / kPi) * sight.reflectance * irradiance;
 }
 
-// Radiance may change so much from corner to corner of a pixel before it needs more samples, |a - b| over a +
-// b. The mean of four corners is exact for what is linear; textures are not.
-constexpr float kSmoothContrast = 0.25f, kTextureContrast = 0.05f;
-
-bool near_in_radiance(Rgb a, Rgb b, float contrast) {
-  for (int c = 0; c < 3; ++c) {
-    if (!(std::abs(a[c] - b[c]) <= contrast * (a[c] + b[c]))) return false;
-  }
-  return true;
-}
-
 // Does b lie on the continuation of the surface at a? Steps between parallel faces do not.
 bool continues(const SurfacePoint& a, const SurfacePoint& b) {
   if (dot(a.normal, b.normal) < kCosSmooth) return false;
@@ -84,9 +73,11 @@ bool on_one_surface(const FrameView& view, const Sample& a, const Sample& b) {
 
 bool alike(const FrameView& view, const Sample& a, const Sample& b) {
   if (a.point.polygon == kNone && b.point.polygon == kNone) return true;
-  if (!on_one_surface(view, a, b) || a.leaf != b.leaf || a.spots != b.spots) return false;
-  const bool textured = has_texture(view.scene, view.scene.polygons[a.point.polygon]);
-  return near_in_radiance(a.base, b.base, textured ? kTextureContrast : kSmoothContrast);
+  return on_one_surface(view, a, b) && a.leaf == b.leaf && a.spots == b.spots;
+}
+
+bool textured(const FrameView& view, const Sample& sample) {
+  return sample.point.polygon != kNone && has_texture(view.scene, view.scene.polygons[sample.point.polygon]);
 }
 
 }  // namespace strad

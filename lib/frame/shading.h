@@ -60,4 +60,7 @@ bool on_one_surface(const FrameView& view, const Sample& a, const Sample& b);
 // May both be taken for neighbours on one smooth surface under the same lights?
 bool alike(const FrameView& view, const Sample& a, const Sample& b);
 
+// Does its reflectance come from a texture?
+bool textured(const FrameView& view, const Sample& sample);
+
 }  // namespace strad

@@ -1,6 +1,7 @@
 #include "frame/tile.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/rng.h"
 #include "frame/sobol.h"
@@ -15,7 +16,11 @@ constexpr uint32_t kPenumbraRays =
     16;                             // and where they disagree: 256 with those of the corners around a pixel
 constexpr uint32_t kInnerRays = 4;  // to each area light from each sample of a pixel with many
 constexpr float kSmoothShadow = 0.04f;  // twice the noise of 64 rays: a smaller difference is none
-constexpr float kMuchContrast = 0.25f;   // deviation of a pixel's samples over their mean that asks for more
+// Differences of radiance over their sum. Below the first, a pixel is the mean of its corners, as for
+// textures below the second; up to the third, how far the middle may lie off that mean, it is taken for a
+// quadratic function.
+constexpr float kEvenContrast = 0.03f, kTextureContrast = 0.05f, kSmoothBend = 0.06f;
+constexpr float kMuchContrast = 0.25f;  // deviation of a pixel's samples over their mean that asks for more
 constexpr float kSharpShadow = 0.5f;    // free fractions so far apart within a pixel mean an edge
 
 // Which of the 16 sets of points on the lights a corner uses: neighbours that share a pixel use different
@@ -72,7 +77,9 @@ class Tile {
   bool corners_alike(int x, int y) const;
   bool shadow_edge(int x, int y) const;
   float visible(int x, int y, size_t light) const;
-  Rgb corner_mean(int x, int y) const;
+  std::optional<Rgb> smooth_base(int x, int y) const;
+  Rgb area_light(int x, int y) const;
+  Rgb pixel(int x, int y) const;
   void sample_inside(int x, int y, uint32_t first, uint32_t last, PixelSum* sum) const;
   Rgb inside(int x, int y) const;
 
@@ -150,6 +157,36 @@ bool Tile::corners_alike(int x, int y) const {
          alike(view_, first, corner(x + 1, y + 1).sample);
 }
 
+// Difference of two radiances over their sum, in the channel where it is largest.
+float contrast(Rgb a, Rgb b) {
+  float most = 0;
+  for (int c = 0; c < 3; ++c) {
+    if (a[c] != b[c]) most = std::max(most, std::abs(a[c] - b[c]) / (a[c] + b[c]));
+  }
+  return most;
+}
+
+// The mean over a pixel whose corners are alike of all but area lights, if few samples tell it.
+std::optional<Rgb> Tile::smooth_base(int x, int y) const {
+  Rgb low = corner(x, y).sample.base, high = low, sum;
+  for (int k = 0; k < 4; ++k) {
+    const Rgb base = corner(x + (k & 1), y + (k >> 1)).sample.base;
+    for (int c = 0; c < 3; ++c) low[c] = std::min(low[c], base[c]), high[c] = std::max(high[c], base[c]);
+    sum += base;
+  }
+  const Rgb of_corners = 0.25f * sum;
+  const bool texture = textured(view_, corner(x, y).sample);
+  const float change = contrast(low, high);
+  if (change <= (texture ? kTextureContrast : kEvenContrast)) return of_corners;
+  if (texture) return std::nullopt;
+  thread_local std::vector<AreaShare> unused;
+  unused.resize(lights_);
+  const Sample middle = take_sample(view_, 0, x + 0.5, y + 0.5, {}, unused.data());
+  if (!alike(view_, corner(x, y).sample, middle)) return std::nullopt;
+  if (contrast(middle.base, of_corners) > kSmoothBend) return std::nullopt;
+  return (1 / 3.0f) * (of_corners + 2 * middle.base);  // exact for quadratic functions
+}
+
 bool Tile::all_even_around(int x, int y) const {
   for (int v = y - 1; v <= y + 2; ++v) {
     for (int u = x - 1; u <= x + 2; ++u) {
@@ -192,20 +229,26 @@ float Tile::visible(int x, int y, size_t light) const {
   return around + blend * (own - around);
 }
 
-// The pixel as the mean of its corners.
-Rgb Tile::corner_mean(int x, int y) const {
-  const bool even = lights_ == 0 || all_even_around(x, y);
+// What area lights bring to a pixel, the mean of its corners.
+Rgb Tile::area_light(int x, int y) const {
+  if (lights_ == 0) return {};
+  const bool even = all_even_around(x, y);
   Rgb sum;
-  for (int k = 0; k < 4; ++k) {
-    const int u = x + (k & 1), v = y + (k >> 1);
-    sum += even ? radiance(view_, corner(u, v).sample, shares(u, v)) : corner(u, v).sample.base;
-  }
-  for (size_t l = 0; !even && l < lights_; ++l) {
-    Rgb unshadowed;
-    for (int k = 0; k < 4; ++k) unshadowed += shares(x + (k & 1), y + (k >> 1))[l].radiance;
-    sum += visible(x, y, l) * unshadowed;
+  for (size_t l = 0; l < lights_; ++l) {
+    const float shared = even ? 1 : visible(x, y, l);
+    for (int k = 0; k < 4; ++k) {
+      const AreaShare& share = shares(x + (k & 1), y + (k >> 1))[l];
+      sum += (even ? free_fraction(share.shadow) : shared) * share.radiance;
+    }
   }
   return 0.25f * sum;
+}
+
+Rgb Tile::pixel(int x, int y) const {
+  if (corners_alike(x, y) && !shadow_edge(x, y)) {
+    if (const std::optional<Rgb> base = smooth_base(x, y)) return *base + area_light(x, y);
+  }
+  return inside(x, y);
 }
 
 // Adds samples [first, last) of a pixel, spread evenly over its area and the instants.
@@ -217,7 +260,8 @@ void Tile::sample_inside(int x, int y, uint32_t first, uint32_t last, PixelSum* 
   for (uint32_t i = first; i < last; ++i) {
     const Point2 at = sobol_point(i, seed);
     const double moment = (i - first + unit_from(hash_of(seed, i))) / (last - first);
-    const size_t instant = std::min(instants - 1, static_cast<size_t>(moment * static_cast<double>(instants)));
+    const size_t instant =
+        std::min(instants - 1, static_cast<size_t>(moment * static_cast<double>(instants)));
     const Sample sample =
         take_sample(view_, instant, x + at.u, y + at.v, {kInnerRays * i, kInnerRays}, light_shares.data());
     sum->add(radiance(view_, sample, light_shares.data()));
@@ -249,12 +293,8 @@ void Tile::render(Image* image) {
   if (adaptive && lights_ > 0) refine_shadows();
   for (int y = static_cast<int>(rect_.top); y < static_cast<int>(rect_.bottom); ++y) {
     for (int x = static_cast<int>(rect_.left); x < static_cast<int>(rect_.right); ++x) {
-      Rgb& pixel = image->at(static_cast<uint32_t>(x), static_cast<uint32_t>(y));
-      if (samples_ == 1) {
-        pixel = middle(view_, x, y);
-      } else {
-        pixel = adaptive && corners_alike(x, y) && !shadow_edge(x, y) ? corner_mean(x, y) : inside(x, y);
-      }
+      const Rgb radiance = samples_ == 1 ? middle(view_, x, y) : adaptive ? pixel(x, y) : inside(x, y);
+      image->at(static_cast<uint32_t>(x), static_cast<uint32_t>(y)) = radiance;
     }
   }
 }
