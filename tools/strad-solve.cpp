@@ -18,8 +18,10 @@ SolveArguments parse_arguments(int argc, char** argv) {
   strad::Options options("strad-solve", "Solves light transport for a whole animation at once.", &a.common);
   options.output();
   options.jobs();
-  options.number("-e,--error", "E", &a.solve.error, "tolerated error, fraction of the scene's mean radiance (0.02)");
-  options.choice("--basis", {"m1", "m2", "m3"}, &basis, "functions of time: m1 constant (Haar), m2 linear, m3 quadratic (m3)");
+  options.number("-e,--error", "E", &a.solve.error,
+                 "tolerated error, fraction of the scene's mean radiance (0.02)");
+  options.choice("--basis", {"m1", "m2", "m3"}, &basis,
+                 "functions of time: m1 constant (Haar), m2 linear, m3 quadratic (m3)");
   options.text("--time", "A:B", &slab, "solve only the slab from A to B seconds");
   options.number("--at", "T", &a.solve.instant, "solve the single instant T, seconds");
   options.flag("--no-clusters", &no_clusters, "link surfaces only, for comparison");
@@ -31,7 +33,8 @@ SolveArguments parse_arguments(int argc, char** argv) {
   a.solve.clusters = !no_clusters;
   if (!slab.empty()) {
     const std::vector<double> ends = strad::parse_numbers(slab, ':', "--time");
-    if (ends.size() != 2 || !(ends[0] < ends[1])) throw strad::BadInput("--time: found '" + slab + "', expected A:B with A < B");
+    if (ends.size() != 2 || !(ends[0] < ends[1]))
+      throw strad::BadInput("--time: found '" + slab + "', expected A:B with A < B");
     a.solve.begin = ends[0];
     a.solve.end = ends[1];
   }

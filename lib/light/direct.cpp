@@ -83,8 +83,9 @@ DirectLight::DirectLight(const Scene& scene, const Tracer& tracer) : scene_(scen
     if (emits(scene, scene.polygons[p])) emitters_.push_back(p);
 }
 
-Rgb DirectLight::irradiance(const Instant& instant, const SurfacePoint& point, int samples,
-                            uint64_t seed) const {
+Rgb DirectLight::irradiance(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed,
+                            uint64_t* rays) const {
+  uint64_t traced = 0;
   const Vec3 lifted = point.position + tracer_.offset() * point.normal;
   Rgb sum;
   for (size_t s = 0; s < scene_.spots.size(); ++s) {
@@ -96,6 +97,7 @@ Rgb DirectLight::irradiance(const Instant& instant, const SurfacePoint& point, i
     const double distance = std::sqrt(distance2);
     const double falloff = spot_falloff(scene_.spots[s], -dot(to_spot, spot.direction) / distance);
     if (!(falloff > 0)) continue;
+    ++traced;
     if (tracer_.occluded(instant.world_from_body, lifted, spot.position)) continue;
     sum += static_cast<float>(falloff * cos_receiver / (distance2 * distance)) * spot.intensity;
   }
@@ -119,6 +121,7 @@ Rgb DirectLight::irradiance(const Instant& instant, const SurfacePoint& point, i
       const double distance2 = length2(to_y);
       const double weight = cos_receiver * cos_emitter / (distance2 * distance2);
       all += weight;
+      ++traced;
       if (!tracer_.occluded(instant.world_from_body, lifted, y + tracer_.offset() * e.normal))
         visible += weight;
     }
@@ -126,6 +129,7 @@ Rgb DirectLight::irradiance(const Instant& instant, const SurfacePoint& point, i
       sum +=
           static_cast<float>(unoccluded * glow * visible / all) * scene_.materials[polygon.material].emission;
   }
+  if (rays) *rays += traced;
   return sum;
 }
 

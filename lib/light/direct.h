@@ -32,7 +32,9 @@ class DirectLight {
 
   // W / m^2. One shadow ray a spot in whose cone the point is; each emitting polygon by Lambert's formula
   // times its visible fraction over about `samples` stratified points. Equal `seed` gives equal points.
-  Rgb irradiance(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed) const;
+  // Adds the rays traced to `rays` where it is given.
+  Rgb irradiance(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed,
+                 uint64_t* rays = nullptr) const;
 
  private:
   const Scene& scene_;

@@ -69,7 +69,7 @@ void DirectPhase::value(uint32_t vertex, uint32_t cell, Rgb* values) const {
 void DirectPhase::evaluate(const std::vector<uint32_t>& vertices,
                            const std::vector<std::vector<uint32_t>>& cells) {
   functions_.resize(builder_.mesh().vertices.size());
-  std::vector<uint64_t> counts(vertices.size(), 0);
+  std::vector<uint64_t> counts(vertices.size(), 0), rays(vertices.size(), 0);
   parallel_for(vertices.size(), 8, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const uint32_t vertex = vertices[i];
@@ -92,13 +92,14 @@ void DirectPhase::evaluate(const std::vector<uint32_t>& vertices,
           const Instant& instant = instants_[cell * order + k];
           const Pose& pose = instant.world_from_body[body_of(scene_, polygon)];
           const SurfacePoint point{pose * builder_.sample_point(vertex), rotate(pose, normal), face.polygon};
-          f.values.push_back(light_.irradiance(instant, point, options_.emitter_samples, vertex));
+          f.values.push_back(light_.irradiance(instant, point, options_.emitter_samples, vertex, &rays[i]));
           ++counts[i];
         }
       }
       functions_[vertex] = std::move(f);
     }
   });
+  rays_ += std::accumulate(rays.begin(), rays.end(), uint64_t{0});
   evaluations_ += std::accumulate(counts.begin(), counts.end(), uint64_t{0});
 }
 
@@ -183,7 +184,7 @@ void DirectPhase::run() {
   while (!level.empty()) level = split(level);
 }
 
-std::vector<Rgb> DirectPhase::mean_over_cells(uint32_t element, const std::vector<uint32_t>& cells) const {
+std::vector<Rgb> DirectPhase::mean_irradiance(uint32_t element, const std::vector<uint32_t>& cells) const {
   const auto order = static_cast<size_t>(grid_.order);
   const Mesh& mesh = builder_.mesh();
   const Element& e = mesh.elements[element];
@@ -205,7 +206,7 @@ std::vector<Rgb> DirectPhase::mean_over_cells(uint32_t element, const std::vecto
   double area = 0;
   for (uint32_t c = 0; c < 4; ++c) area += area_of(mesh, mesh.elements[e.first_child + c]);
   for (uint32_t c = 0; c < 4; ++c) {
-    const std::vector<Rgb> of_child = mean_over_cells(e.first_child + c, inner);
+    const std::vector<Rgb> of_child = mean_irradiance(e.first_child + c, inner);
     const auto share = static_cast<float>(area_of(mesh, mesh.elements[e.first_child + c]) / area);
     size_t i = 0;
     for (size_t j = 0; j < inner.size(); ++j) {
@@ -214,12 +215,6 @@ std::vector<Rgb> DirectPhase::mean_over_cells(uint32_t element, const std::vecto
     }
   }
   return mean;
-}
-
-std::vector<Rgb> DirectPhase::mean_irradiance(uint32_t element) const {
-  std::vector<uint32_t> all_cells(grid_.cell_count());
-  std::iota(all_cells.begin(), all_cells.end(), 0u);
-  return mean_over_cells(element, all_cells);
 }
 
 Field DirectPhase::surpluses(float tolerance) {
@@ -248,6 +243,8 @@ Field DirectPhase::surpluses(float tolerance) {
     }
     append_row(grid_, row, active, tolerance, &field);
   }
+  functions_ = {};
+  split_cells_ = {};
   return field;
 }
 

@@ -38,13 +38,15 @@ class DirectPhase {
   // Refines all faces that the builder holds.
   void run();
 
-  // Mean direct irradiance over an element at every node of the grid; `cells`: all of them.
-  std::vector<Rgb> mean_irradiance(uint32_t element) const;
+  // Mean direct irradiance over an element at the nodes of some cells (ascending).
+  std::vector<Rgb> mean_irradiance(uint32_t element, const std::vector<uint32_t>& cells) const;
 
   // Surpluses of every vertex of the builder's mesh as it is now, with an error about `tolerance` (W / m^2).
+  // Call last: it gives back the memory of the values.
   Field surpluses(float tolerance);
 
   uint64_t evaluations() const { return evaluations_; }
+  uint64_t rays() const { return rays_; }
 
  private:
   struct Work {
@@ -54,7 +56,6 @@ class DirectPhase {
   void evaluate(const std::vector<uint32_t>& vertices, const std::vector<std::vector<uint32_t>>& cells);
   std::vector<Work> split(const std::vector<Work>& level);
   std::vector<uint32_t> worthwhile_cells(const Work& work) const;
-  std::vector<Rgb> mean_over_cells(uint32_t element, const std::vector<uint32_t>& cells) const;
   // Value of a vertex at the nodes of a cell: its own, or the mean of its parents'.
   void value(uint32_t vertex, uint32_t cell, Rgb* values) const;
 
@@ -64,11 +65,10 @@ class DirectPhase {
   DirectOptions options_;
   MeshBuilder& builder_;
   DirectLight light_;
-  double tracer_offset_;
   double total_area_ = 0;
   std::vector<SparseFunction> functions_;           // a vertex
   std::vector<std::vector<uint32_t>> split_cells_;  // an element
-  uint64_t evaluations_ = 0;
+  uint64_t evaluations_ = 0, rays_ = 0;
 };
 
 }  // namespace strad

@@ -11,6 +11,8 @@ namespace {
 constexpr uint32_t kNothing = 0xfffffffeu;  // the ray leaves the scene: no light, but an open view
 constexpr uint32_t kDead = 0xffffffffu;     // a surface that no light reaches
 
+constexpr float kFree = 0.95f;  // a view as open as this is not blocked
+
 // Does the segment from `from` to from + reach * direction meet the box?
 bool meets(const Box& box, Vec3 from, Vec3 direction, double reach) {
   double low = 0, high = reach;
@@ -105,8 +107,8 @@ GatheredFunction FinalGather::at_rest(const Receiver& receiver, uint64_t* rays) 
     bool changes = false;
     const auto seen_at = [&](uint32_t cell, const std::vector<Pose>& at) {
       bool near = false;
-      for (const uint32_t body : swept_.moving_bodies())
-        near = near || meets(swept_.box(body, {cell, 0}), from, towards, reach);
+      for (size_t body = 0; body < swept_boxes_.size(); ++body)
+        near = near || meets(swept_.cell_box(body, cell), from, towards, reach);
       if (!near) return behind_leaf;
       ++*rays;
       const SurfaceHit hit = tracer_.closest_of(at, moving_mask_, from, towards, reach);
@@ -232,25 +234,31 @@ GatheredFunction FinalGather::at_vertex(uint32_t vertex, uint64_t* rays) const {
   // Where most of the view is blocked by dead surfaces the point is buried: its neighbours will speak for it.
   for (size_t i = 0; i < f.irradiance.size(); ++i)
     f.irradiance[i] = (1 / std::max(f.open[i], 0.1f)) * f.irradiance[i];
+  if (*std::min_element(f.open.begin(), f.open.end()) > kFree) f.open = {};
   return f;
 }
 
 GatheredFunction FinalGather::over_node(uint32_t node, uint64_t* rays) const {
-  return gather(receiver_of_node(node), rays);
+  GatheredFunction f = gather(receiver_of_node(node), rays);
+  for (size_t i = 0; i < f.irradiance.size(); ++i)
+    f.irradiance[i] = (1 / std::max(f.open[i], 0.1f)) * f.irradiance[i];
+  return f;
 }
 
-float FinalGather::openness(uint32_t node, uint64_t* rays) const {
+FinalGather::View FinalGather::view_of(uint32_t node, uint64_t* rays) const {
   const Receiver receiver = receiver_of_node(node);
   const std::vector<Pose>& poses = swept_.cell_begin_poses(grid_.cell_count() / 2);
   const Pose& pose = poses[receiver.body];
-  int open = 0;
+  int lit = 0, dead = 0;
   for (int r = 0; r < ray_count_; ++r) {
     const uint32_t leaf =
         leaf_of(tracer_.closest(poses, pose * origin(receiver, r), rotate(pose, direction(receiver, r))));
-    open += leaf != kDead && leaf != kNothing;
+    dead += leaf == kDead;
+    lit += leaf != kDead && leaf != kNothing;
   }
   *rays += static_cast<uint64_t>(ray_count_);
-  return static_cast<float>(open) / static_cast<float>(ray_count_);
+  const auto all = static_cast<float>(ray_count_);
+  return {static_cast<float>(lit) / all, static_cast<float>(dead) / all};
 }
 
 }  // namespace strad

@@ -21,7 +21,7 @@ namespace strad {
 struct GatheredFunction {
   std::vector<Rgb>
       irradiance;  // W / m^2, at every node of the grid, scaled up to what a free hemisphere would get
-  std::vector<float> open;  // at every node: share of the hemisphere that is not blocked by dead surfaces
+  std::vector<float> open;  // at every node: share of the view not blocked by dead surfaces; empty: all of it
 };
 
 class FinalGather {
@@ -32,11 +32,15 @@ class FinalGather {
               const std::vector<std::vector<Rgb>>& radiance, int rays);
 
   GatheredFunction at_vertex(uint32_t vertex, uint64_t* rays) const;
-  // The mean over a node: each ray starts at another point of it. Not scaled up: what is blocked is dark.
+  // The mean over the exposed part of a node: each ray starts at another point of it.
   GatheredFunction over_node(uint32_t node, uint64_t* rays) const;
 
-  // Share of the hemisphere over a node that sees surfaces which take part in the exchange, in [0, 1].
-  float openness(uint32_t node, uint64_t* rays) const;
+  // What the rays of a node meet, as shares of all: surfaces that take part, and dead ones. Where a node is
+  // partly covered (a box stands on it) the covered part sees only the dead inside of what covers it.
+  struct View {
+    float lit = 1, dead = 0;
+  };
+  View view_of(uint32_t node, uint64_t* rays) const;
 
  private:
   // Where rays start: all at one point, or spread over a patch; rest.

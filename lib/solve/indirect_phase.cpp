@@ -16,9 +16,8 @@ int parent_count(const MeshVertex& vertex) {
 }  // namespace
 
 IndirectPhase::IndirectPhase(const Scene& scene, const TimeGrid& grid, const FinalGather& gather,
-                             const IndirectOptions& options, const std::vector<bool>& lit,
-                             MeshBuilder* builder)
-    : scene_(scene), grid_(grid), gather_(gather), options_(options), lit_(lit), builder_(*builder) {
+                             const IndirectOptions& options, MeshBuilder* builder)
+    : scene_(scene), grid_(grid), gather_(gather), options_(options), builder_(*builder) {
   for (const Polygon& polygon : scene.polygons) total_area_ += polygon_area(scene, polygon);
 }
 
@@ -52,6 +51,28 @@ std::vector<Rgb> IndirectPhase::parents_mean(uint32_t vertex) const {
   return mean;
 }
 
+// Does the foot of something cross the element at some date? Light there changes too fast to be told from a
+// few vertices, half of which see nothing.
+bool IndirectPhase::is_partly_buried(uint32_t element) const {
+  const Element& e = builder_.mesh().elements[element];
+  uint32_t vertices[9];
+  int count = builder_.middles(element, vertices);
+  for (int i = 0; i < e.corner_count(); ++i) vertices[count++] = e.vertices[i];
+  const bool any =
+      std::any_of(vertices, vertices + count, [&](uint32_t v) { return !functions_[v].open.empty(); });
+  if (!any) return false;
+  for (size_t i = 0; i < grid_.node_count(); ++i) {
+    int buried = 0, known = 0;
+    for (int v = 0; v < count; ++v) {
+      if (functions_[vertices[v]].irradiance.empty()) continue;
+      ++known;
+      buried += open_at(vertices[v], i) < 0.5f;
+    }
+    if (buried > 0 && buried < known) return true;
+  }
+  return false;
+}
+
 // Do the vertices that splitting this element has added differ from what their parents foretold?
 bool IndirectPhase::worth_splitting(uint32_t element) const {
   const Mesh& mesh = builder_.mesh();
@@ -60,6 +81,7 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
   const double edge = std::max(length(at(1) - at(0)), length(at(2) - at(1)));
   if (edge < 2 * options_.smallest_element) return false;
   if (edge > 2 * options_.largest_element) return true;
+  if (is_partly_buried(element)) return true;
   const Polygon& polygon = scene_.polygons[mesh.faces[builder_.face_of(element)].polygon];
   const double area = length(cross(at(1) - at(0), at(2) - at(0))) * (e.corner_count() == 4 ? 1 : 0.5);
   const auto scale = static_cast<float>(max_channel(scene_.materials[polygon.material].reflectance) / kPi *
@@ -70,11 +92,9 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
     const std::vector<Rgb> foretold = parents_mean(middles[m]);
     const GatheredFunction& own = functions_[middles[m]];
     for (size_t i = 0; i < foretold.size(); ++i) {
-      float open = own.open[i];
-      for (int p = 0; p < parent_count(mesh.vertices[middles[m]]); ++p) {
-        const std::vector<float>& of_parent = functions_[mesh.vertices[middles[m]].parents[p]].open;
-        if (!of_parent.empty()) open = std::min(open, of_parent[i]);
-      }
+      float open = open_at(middles[m], i);
+      for (int p = 0; p < parent_count(mesh.vertices[middles[m]]); ++p)
+        open = std::min(open, open_at(mesh.vertices[middles[m]].parents[p], i));
       if (open < 0.5f) continue;  // buried: what is known there is not light
       const Rgb surplus = own.irradiance[i] - foretold[i];
       if (std::max({std::abs(surplus.r), std::abs(surplus.g), std::abs(surplus.b)}) * scale >
@@ -88,8 +108,7 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
 void IndirectPhase::run() {
   const Mesh& mesh = builder_.mesh();
   std::vector<uint32_t> level, vertices;
-  for (size_t f = 0; f < lit_.size(); ++f) {
-    if (!lit_[f]) continue;
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
     level.push_back(mesh.faces[f].element);
     for (int c = 0; c < mesh.elements[level.back()].corner_count(); ++c)
       vertices.push_back(mesh.elements[level.back()].vertices[c]);
@@ -128,7 +147,8 @@ void IndirectPhase::run() {
 }
 
 // A vertex inside another body sees nothing but its dark inside: give it what its free neighbours have, so
-// that no dark cell shows at the foot of things.
+// that no dark cell shows at the foot of things. Those farther inside follow, for they may be parents of what
+// is seen.
 void IndirectPhase::fill_buried() {
   const Mesh& mesh = builder_.mesh();
   std::vector<std::vector<uint32_t>> neighbours(functions_.size());
@@ -140,31 +160,39 @@ void IndirectPhase::fill_buried() {
       neighbours[e.vertices[(i + 1) % n]].push_back(e.vertices[i]);
     }
   }
-  // Two rounds reach two elements deep; what lies farther inside is never seen.
-  for (int round = 0; round < 2; ++round) {
-    const std::vector<GatheredFunction> known = functions_;
-    parallel_for(functions_.size(), 64, [&](size_t begin, size_t end) {
-      for (size_t v = begin; v < end; ++v) {
-        if (known[v].irradiance.empty()) continue;
-        for (size_t i = 0; i < known[v].irradiance.size(); ++i) {
-          const float open = known[v].open[i];
-          if (open > 0.95f) continue;
-          Rgb sum;
-          float weight = 0;
-          for (const uint32_t n : neighbours[v]) {
-            if (known[n].irradiance.empty()) continue;
-            const float w = std::max(0.0f, known[n].open[i] - open);
-            sum += w * known[n].irradiance[i];
-            weight += w;
-          }
-          if (!(weight > 0)) continue;
-          const float own = std::clamp(2 * open - 1, 0.0f, 1.0f);  // below one half of a view: not one's own
-          functions_[v].irradiance[i] = own * known[v].irradiance[i] + ((1 - own) / weight) * sum;
-          functions_[v].open[i] = std::max(open, 0.6f);
-        }
-      }
+  std::vector<uint32_t> blocked;
+  for (uint32_t v = 0; v < functions_.size(); ++v)
+    if (!functions_[v].open.empty()) blocked.push_back(v);
+  constexpr int kRounds = 16;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<GatheredFunction> filled(blocked.size());
+    parallel_for(blocked.size(), 8, [&](size_t begin, size_t end) {
+      for (size_t b = begin; b < end; ++b) filled[b] = filled_from(blocked[b], neighbours[blocked[b]]);
     });
+    for (size_t b = 0; b < blocked.size(); ++b) functions_[blocked[b]] = std::move(filled[b]);
   }
+}
+
+GatheredFunction IndirectPhase::filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const {
+  constexpr float kTrusted = 0.6f;  // from here on a view speaks for itself
+  GatheredFunction f = functions_[vertex];
+  for (size_t i = 0; i < f.irradiance.size(); ++i) {
+    const float open = f.open[i];
+    if (open >= kTrusted) continue;
+    Rgb sum;
+    float weight = 0;
+    for (const uint32_t n : neighbours) {
+      if (functions_[n].irradiance.empty()) continue;
+      const float w = std::max(0.0f, open_at(n, i) - 0.55f);
+      sum += w * functions_[n].irradiance[i];
+      weight += w;
+    }
+    if (!(weight > 0)) continue;
+    const float own = std::clamp((open - 0.5f) / (kTrusted - 0.5f), 0.0f, 1.0f);
+    f.irradiance[i] = own * f.irradiance[i] + ((1 - own) / weight) * sum;
+    f.open[i] = kTrusted;
+  }
+  return f;
 }
 
 Field IndirectPhase::surpluses(float tolerance) {

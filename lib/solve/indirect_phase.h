@@ -20,9 +20,9 @@ struct IndirectOptions {
 
 class IndirectPhase {
  public:
-  // Keeps references. Refines the faces for which `lit` is set.
+  // Keeps references.
   IndirectPhase(const Scene& scene, const TimeGrid& grid, const FinalGather& gather,
-                const IndirectOptions& options, const std::vector<bool>& lit, MeshBuilder* builder);
+                const IndirectOptions& options, MeshBuilder* builder);
 
   void run();
 
@@ -35,7 +35,12 @@ class IndirectPhase {
  private:
   void evaluate(const std::vector<uint32_t>& vertices);
   bool worth_splitting(uint32_t element) const;
+  bool is_partly_buried(uint32_t element) const;
   void fill_buried();
+  GatheredFunction filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const;
+  float open_at(uint32_t vertex, size_t date) const {
+    return functions_[vertex].open.empty() ? 1.0f : functions_[vertex].open[date];
+  }
   std::vector<Rgb> parents_mean(uint32_t vertex) const;
   const std::vector<Rgb>& values(uint32_t vertex) const { return functions_[vertex].irradiance; }
 
@@ -43,7 +48,6 @@ class IndirectPhase {
   const TimeGrid& grid_;
   const FinalGather& gather_;
   IndirectOptions options_;
-  std::vector<bool> lit_;
   MeshBuilder& builder_;
   double total_area_ = 0;
   std::vector<GatheredFunction> functions_;  // a vertex; empty where none was wanted

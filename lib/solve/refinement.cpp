@@ -10,6 +10,10 @@ namespace strad {
 Refinement::Refinement(const TimeGrid& grid, const KernelEvaluator& kernels, const DirectPhase& direct,
                        const std::vector<uint32_t>& dates, NodeTree* tree)
     : grid_(grid), kernels_(kernels), direct_phase_(direct), dates_(dates), tree_(*tree) {
+  for (const uint32_t date : dates_) {
+    const uint32_t cell = date / static_cast<uint32_t>(grid_.order);
+    if (cells_.empty() || cells_.back() != cell) cells_.push_back(cell);
+  }
   const size_t roots = tree_.nodes().size();
   direct_.resize(roots);
   radiance_.resize(roots);
@@ -21,16 +25,28 @@ Refinement::Refinement(const TimeGrid& grid, const KernelEvaluator& kernels, con
   });
 }
 
+std::vector<Rgb> Refinement::watched_direct(uint32_t element) const {
+  const auto order = static_cast<uint32_t>(grid_.order);
+  const std::vector<Rgb> of_cells = direct_phase_.mean_irradiance(element, cells_);
+  std::vector<Rgb> watched;
+  size_t cell = 0;
+  for (const uint32_t date : dates_) {
+    while (cells_[cell] != date / order) ++cell;
+    watched.push_back(of_cells[cell * order + date % order]);
+  }
+  return watched;
+}
+
 // Direct irradiance of a new node, its radiance as far as known, and how that varies over its quarters.
 void Refinement::describe(uint32_t n) {
   const Node& node = tree_.nodes()[n];
-  direct_[n] = direct_phase_.mean_irradiance(node.element);
+  direct_[n] = watched_direct(node.element);
   const Rgb brdf = static_cast<float>(1 / kPi) * node.reflectance;
   radiance_[n].resize(dates_.size());
   for (size_t i = 0; i < dates_.size(); ++i) {
-    radiance_[n][i] = brdf * direct_[n][dates_[i]];
+    radiance_[n][i] = brdf * direct_[n][i];
     if (node.parent == kNone) continue;
-    const Rgb reflected = radiance_[node.parent][i] - brdf * direct_[node.parent][dates_[i]];
+    const Rgb reflected = radiance_[node.parent][i] - brdf * direct_[node.parent][i];
     radiance_[n][i] +=
         Rgb{std::max(0.0f, reflected.r), std::max(0.0f, reflected.g), std::max(0.0f, reflected.b)};
   }
@@ -38,9 +54,9 @@ void Refinement::describe(uint32_t n) {
   const uint32_t first = tree_.builder().mesh().elements[node.element].first_child;
   if (first == kNone) return;
   for (uint32_t c = 0; c < 4; ++c) {
-    const std::vector<Rgb> quarter = direct_phase_.mean_irradiance(first + c);
+    const std::vector<Rgb> quarter = watched_direct(first + c);
     for (size_t i = 0; i < dates_.size(); ++i) {
-      const Rgb d = brdf * (quarter[dates_[i]] - direct_[n][dates_[i]]);
+      const Rgb d = brdf * (quarter[i] - direct_[n][i]);
       const float largest = std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
       spread_[n][i] += largest * largest / 4;
     }

@@ -36,7 +36,7 @@ class Refinement {
   void update_radiance(const std::vector<Rgb>& radiance);
 
   const std::vector<Link>& links() const { return links_; }
-  const std::vector<std::vector<Rgb>>& direct() const { return direct_; }  // [node][date of the grid]
+  const std::vector<std::vector<Rgb>>& direct() const { return direct_; }  // [node][watched date]
   const RefinementCounts& counts() const { return counts_; }
 
  private:
@@ -49,11 +49,14 @@ class Refinement {
   const TimeGrid& grid_;
   const KernelEvaluator& kernels_;
   const DirectPhase& direct_phase_;
+  std::vector<Rgb> watched_direct(uint32_t element) const;
+
   std::vector<uint32_t> dates_;
+  std::vector<uint32_t> cells_;  // of the dates, each once
   NodeTree& tree_;
   double total_area_ = 0;
   std::vector<Link> links_;
-  std::vector<std::vector<Rgb>> direct_;    // [node][date of the grid]
+  std::vector<std::vector<Rgb>> direct_;    // [node][watched date]
   std::vector<std::vector<Rgb>> radiance_;  // [node][watched date]
   std::vector<std::vector<float>> spread_;  // [node][watched date]: rms difference of the quarters' radiance
   std::vector<bool> linked_;                // root nodes that already emit along links

@@ -31,7 +31,7 @@ struct SolveStats {
   PhaseStats direct, indirect, total;
   uint64_t elements = 0, vertices = 0, clusters = 0, coefficients = 0;
   uint64_t peak_bytes = 0;  // resident, of the process
-  uint64_t link_bytes = 0, mesh_bytes = 0, function_bytes = 0, solution_bytes = 0;
+  uint64_t link_bytes = 0, mesh_bytes = 0, function_bytes = 0;
   int iterations = 0;
   double residual = 0;
 };

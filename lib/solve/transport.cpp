@@ -124,7 +124,7 @@ LinkTable make_link_table(const TimeGrid& grid, uint32_t node_count, const std::
 }
 
 TransportResult propagate(const TransportInput& input, const std::vector<uint32_t>& dates,
-                          std::vector<Rgb>* radiance) {
+                          uint32_t first_column, std::vector<Rgb>* radiance) {
   const std::vector<Node>& nodes = input.tree->nodes();
   const size_t count = dates.size(), width = 3 * count;
   const Gather gather(input, dates);
@@ -141,13 +141,13 @@ TransportResult propagate(const TransportInput& input, const std::vector<uint32_
     double change = 0, total = 0;
     for (size_t n = 0; n < nodes.size(); ++n) {
       if (nodes[n].first_child != kNone) continue;
-      const Rgb* direct = (*input.direct)[n].data();
+      const Rgb* direct = (*input.direct)[n].data() + first_column;
       const float scale = input.balance->receiver[n], emitter_scale = input.balance->emitter[n];
       const Rgb brdf = (emitter_scale / static_cast<float>(kPi)) * nodes[n].reflectance;
       float moved = 0, sum = 0;
       for (size_t j = 0; j < count; ++j) {
         const float* e = irradiance.data() + n * width + 3 * j;
-        const Rgb now = brdf * (direct[dates[j]] + scale * Rgb{e[0], e[1], e[2]});
+        const Rgb now = brdf * (direct[j] + scale * Rgb{e[0], e[1], e[2]});
         Rgb& before = (*radiance)[n * count + j];
         moved += std::abs(now.r - before.r) + std::abs(now.g - before.g) + std::abs(now.b - before.b);
         sum += now.r + now.g + now.b;
@@ -170,7 +170,7 @@ TransportResult propagate(const TransportInput& input, const std::vector<uint32_
 }
 
 Balance balance(const TimeGrid& grid, const NodeTree& tree, const std::vector<Link>& links,
-                const std::vector<float>& openness) {
+                const std::vector<float>& row_sums, const std::vector<float>& column_sums) {
   const std::vector<Node>& nodes = tree.nodes();
   Balance b{std::vector<float>(nodes.size(), 1.0f), std::vector<float>(nodes.size(), 1.0f)};
   // Mean kernel of each link over all time.
@@ -195,11 +195,11 @@ Balance balance(const TimeGrid& grid, const NodeTree& tree, const std::vector<Li
       for (uint32_t c = 0; c < 4; ++c) mean[n] += 0.25f * mean[nodes[n].first_child + c];
     }
   };
-  const auto settle = [&](std::vector<float>* scale) {
+  const auto settle = [&](const std::vector<float>& wanted, std::vector<float>* scale) {
     for (size_t n = 0; n < nodes.size(); ++n) {
       if (nodes[n].parent != kNone) sum[n] += sum[nodes[n].parent];
       if (nodes[n].first_child == kNone && sum[n] > 0)
-        (*scale)[n] = std::clamp(static_cast<float>(kPi) * openness[n] / sum[n], kLowest, kHighest);
+        (*scale)[n] = std::clamp(static_cast<float>(kPi) * wanted[n] / sum[n], kLowest, kHighest);
     }
   };
   for (int round = 0; round < 4; ++round) {
@@ -209,11 +209,11 @@ Balance balance(const TimeGrid& grid, const NodeTree& tree, const std::vector<Li
       const Node &p = nodes[links[i].receiver], &q = nodes[links[i].emitter];
       sum[links[i].emitter] += kernels[i] * p.area / q.area * mean[links[i].receiver];
     }
-    settle(&b.emitter);
+    settle(column_sums, &b.emitter);
     pull_means(b.emitter);
     std::fill(sum.begin(), sum.end(), 0.0f);
     for (size_t i = 0; i < links.size(); ++i) sum[links[i].receiver] += kernels[i] * mean[links[i].emitter];
-    settle(&b.receiver);
+    settle(row_sums, &b.receiver);
   }
   return b;
 }

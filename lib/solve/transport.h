@@ -48,15 +48,15 @@ struct Balance {
   std::vector<float> receiver;  // [node], leaves only: scales gathered irradiance
   std::vector<float> emitter;   // [node], leaves only: scales radiance as seen by links
 };
-// `openness`: [node], leaves only: share of the hemisphere that sees surfaces of the exchange.
+// `row_sums`, `column_sums`: [node], leaves only: what they should be, in units of pi.
 Balance balance(const TimeGrid& grid, const NodeTree& tree, const std::vector<Link>& links,
-                const std::vector<float>& openness);
+                const std::vector<float>& row_sums, const std::vector<float>& column_sums);
 
 struct TransportInput {
   const TimeGrid* grid = nullptr;
   const NodeTree* tree = nullptr;
   const LinkTable* links = nullptr;
-  const std::vector<std::vector<Rgb>>* direct = nullptr;  // [node][date]: W / m^2; leaves only are read
+  const std::vector<std::vector<Rgb>>* direct = nullptr;  // [node][column]: W / m^2; leaves only are read
   const Balance* balance = nullptr;
   double residual = 1e-3;  // largest mean change of radiance, relative
   int max_iterations = 100;
@@ -69,7 +69,8 @@ struct TransportResult {
 
 // Solves for the radiance reflected by every node at `dates` (nodes of the grid, ascending):
 // radiance[node * dates.size() + i], W / (sr m^2), without emission.
+// `first_column`: of the direct light, for the first date; the others follow.
 TransportResult propagate(const TransportInput& input, const std::vector<uint32_t>& dates,
-                          std::vector<Rgb>* radiance);
+                          uint32_t first_column, std::vector<Rgb>* radiance);
 
 }  // namespace strad
