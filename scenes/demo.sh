@@ -32,9 +32,9 @@ run "strad-frame -f 1:600:2 -s 320x240 --exposure 1 $name.strad |
 
 section "Radiance over time at a point of the floor: functions that are constant in pieces against linear ones"
 point=3,1.2,0,0,0,1
-run "strad-solve -e 0.1 --basis m1 $name.scene | strad-probe --at $point -n 1200 --flat - > m1.tsv"
-run "strad-solve -e 0.1 --basis m2 $name.scene | strad-probe --at $point -n 1200 --flat - > m2.tsv"
-run "strad-probe --at $point -n 1200 $name.strad > smooth.tsv"
+run "strad-solve -e 0.1 --basis m1 $name.scene | strad-probe --at $point -n 1200 --direct mesh --flat > m1.tsv"
+run "strad-solve -e 0.1 --basis m2 $name.scene | strad-probe --at $point -n 1200 --direct mesh --flat > m2.tsv"
+run "strad-probe --at $point -n 1200 --direct mesh $name.strad > smooth.tsv"
 run "gnuplot radiance.gnuplot"
 
 section "How much a solution jumps at half time"

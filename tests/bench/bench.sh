@@ -18,6 +18,7 @@ trap 'rm -rf "$work"' EXIT
 for scene in $scenes; do
   echo
   echo "# $scene"
+  rm -f "$work"/*
   source_of "$scene" >"$work/scene.strad"
   if [ -d "${STRAD_TRUTH:-/nonexistent}/$scene" ]; then
     error_against_truth "$scene"

@@ -17,7 +17,8 @@ source_of() {
   strad-import "$folder/$1.obj" | strad-motion "$folder/$1.motion"
 }
 
-frame_total() { strad-info --json "$work/scene.strad" | tr ',{}' '\n\n\n' | awk -F: '$1 ~ /"frames"/ { print $2 + 0 }'; }
+# fact NAME: a number of strad-info that has this name.
+fact() { strad-info --json "$work/scene.strad" | awk -F'[:,]' -v key="\"$1\"" 'index($1, key) { print $2 + 0; exit }'; }
 
 # The truth's frame numbers, with commas, and its picture size (PFM has it as text).
 truth_frames() { ls "$STRAD_TRUTH/$1" | sed -n 's/^frame_0*\([0-9]*\)_a\.exr$/\1/p' | paste -sd, -; }
@@ -38,26 +39,34 @@ rel() {
     value rel_rmse | awk '{ printf "%.2f\n", 100 * $1 }'
 }
 
+# render OUTPUT-PATTERN SIZE FRAMES STREAM OPTIONS...: prints CPU seconds a frame, each by a process of its own.
+render() {
+  local pattern=$1 size=$2 frames=$3 stream=$4 frame
+  shift 4
+  for frame in ${frames//,/ }; do
+    cpu /dev/null strad-frame -q -s "$size" -f "$frame" -o "$pattern" "$@" "$stream"
+  done | mean
+}
+
 error_against_truth() {
-  local scene=$1 frames size count error solve mesh pixel rel_mesh rel_pixel
+  local scene=$1 frames size error solve mesh pixel rel_mesh rel_pixel
   frames=$(truth_frames "$scene")
-  count=$(tr ',' '\n' <<<"$frames" | wc -l)
   size=$(truth_size "$scene")
   echo "# error against the truth in percent, direct light from the mesh and per pixel; CPU s of the solve and of one frame"
   printf '%-7s %9s %10s %9s %9s %9s %9s\n' -e solve_s bytes mesh_rel mesh_s pixel_rel pixel_s
   for error in $errors; do
     solve=$(cpu "$work/$error.strad" strad-solve -q -e "$error" "$work/scene.strad")
-    mesh=$(cpu /dev/null strad-frame -q --direct mesh -s "$size" -f "$frames" -o "$work/mesh_%04d.exr" "$work/$error.strad")
-    pixel=$(cpu /dev/null strad-frame -q -s "$size" -f "$frames" -o "$work/pixel_%04d.exr" "$work/$error.strad")
-    rel_mesh=$(rel "$scene" "$work/mesh_%04d.exr" "$frames")
-    rel_pixel=$(rel "$scene" "$work/pixel_%04d.exr" "$frames")
+    mesh=$(render "$work/mesh_%04d.pfm" "$size" "$frames" "$work/$error.strad" --direct mesh)
+    pixel=$(render "$work/pixel_%04d.pfm" "$size" "$frames" "$work/$error.strad")
+    rel_mesh=$(rel "$scene" "$work/mesh_%04d.pfm" "$frames")
+    rel_pixel=$(rel "$scene" "$work/pixel_%04d.pfm" "$frames")
     printf '%-7s %9s %10s %9s %9s %9s %9s\n' "$error" "$solve" "$(stat -c %s "$work/$error.strad")" "$rel_mesh" \
-      "$(per "$mesh" "$count")" "$rel_pixel" "$(per "$pixel" "$count")"
+      "$mesh" "$rel_pixel" "$pixel"
     echo "$solve $rel_mesh" >>"$work/spacetime"
   done
 }
 
-per() { awk -v total="$1" -v count="$2" 'BEGIN { printf "%.3f\n", total / count }'; }
+mean() { awk '{ sum += $1 } END { printf "%.3f\n", sum / NR }'; }
 
 # Frame by frame through the same code, at the truth's instants, and the ratio at equal error by interpolation
 # (in logarithms) of its curve of CPU seconds over error.
@@ -65,7 +74,7 @@ acceleration() {
   local scene=$1 frames size error total
   frames=$(truth_frames "$scene")
   size=$(truth_size "$scene")
-  total=$(frame_total)
+  total=$(fact frames)
   echo "# frame by frame: mean CPU s of an instant, and its error from the mesh in percent"
   printf '%-7s %9s %9s\n' -e instant_s mesh_rel
   for error in $errors; do
@@ -74,24 +83,22 @@ acceleration() {
   echo "# acceleration over frame by frame at equal error, $total frames"
   printf '%9s %9s %9s\n' mesh_rel solve_s times
   awk -v total="$total" -f "$here/acceleration.awk" "$work/instants" "$work/spacetime"
-  rm -f "$work/spacetime"
 }
 
 one_by_one() {
-  local scene=$1 error=$2 frame sum=0 count=0 time
-  for frame in ${3//,/ }; do
-    time=$(strad-info "$work/scene.strad" >/dev/null && frame_time "$frame")
-    sum=$(awk -v a="$sum" -v b="$(cpu "$work/at.strad" strad-solve -q -e "$error" --at "$time" "$work/scene.strad")" \
-      'BEGIN { print a + b }')
-    strad-frame -q --direct mesh -s "$4" -t "$time" -o "$work/at_$(printf %04d "$frame").exr" "$work/at.strad"
-    count=$((count + 1))
+  local scene=$1 error=$2 frames=$3 size=$4 frame seconds
+  seconds=$(for frame in ${frames//,/ }; do
+    cpu "$work/at_$frame.strad" strad-solve -q -e "$error" --at "$(frame_time "$frame")" "$work/scene.strad"
+  done | mean)
+  for frame in ${frames//,/ }; do
+    strad-frame -q --direct mesh -s "$size" -t "$(frame_time "$frame")" \
+      -o "$work/at_$(printf %04d "$frame").pfm" "$work/at_$frame.strad"
   done
-  printf '%-7s %9s %9s\n' "$error" "$(per "$sum" "$count")" "$(rel "$scene" "$work/at_%04d.exr" "$3")"
+  printf '%-7s %9s %9s\n' "$error" "$seconds" "$(rel "$scene" "$work/at_%04d.pfm" "$frames")"
 }
 
-json_number() { strad-info --json "$work/scene.strad" | tr ',{}' '\n\n\n' | awk -F: -v key="\"$1\"" '$1 ~ key { print $2 + 0; exit }'; }
 frame_time() {
-  awk -v start="$(json_number start)" -v rate="$(json_number rate)" -v frame="$1" \
+  awk -v start="$(fact 'start s')" -v rate="$(fact 'rate 1/s')" -v frame="$1" \
     'BEGIN { printf "%.9g\n", start + (frame - 1) / rate }'
 }
 
@@ -112,8 +119,8 @@ error_against_itself() {
 
 continuity() {
   local basis part start end time
-  start=$(json_number start)
-  end=$(json_number end)
+  start=$(fact 'start s')
+  end=$(fact 'end s')
   echo "# jump in percent of the mean radiance at 1/4, 1/2 and 3/4 of the time: as solved, and as frames show it"
   printf '%-7s %9s %9s %9s %9s %9s %9s\n' basis 1/4 1/2 3/4 1/4 1/2 3/4
   for basis in m1 m2 m3; do
