@@ -12,12 +12,18 @@ namespace {
 
 constexpr size_t kMaxSteps =
     20'000'000;  // turns of loops and calls of macros: beyond, a loop is taken for endless
-constexpr size_t kMaxNesting = 200;  // includes and macros in each other
+constexpr size_t kMaxNesting = 100;  // includes and macros in each other
 
 bool opens_block(std::string_view directive) {
   constexpr std::array<std::string_view, 7> kOpening{"if",  "ifdef",  "ifndef", "while",
                                                      "for", "switch", "macro"};
   return std::find(kOpening.begin(), kOpening.end(), directive) != kOpening.end();
+}
+
+bool shapes_blocks(std::string_view directive) {
+  constexpr std::array<std::string_view, 6> kShaping{"else", "elseif", "end", "case", "range", "break"};
+  return opens_block(directive) ? directive != "macro"
+                                : std::find(kShaping.begin(), kShaping.end(), directive) != kShaping.end();
 }
 
 }  // namespace
@@ -66,6 +72,12 @@ bool PovLanguage::next_is(std::string_view text) {
 
 bool PovLanguage::next_is_plainly(std::string_view text) {
   return (raw().kind == PovKind::kWord || raw().kind == PovKind::kSymbol) && raw().text == text;
+}
+
+// A declaration ends the expression before it, for which it must not be obeyed too early.
+bool PovLanguage::operator_is_next(std::string_view symbol) {
+  if (raw().kind == PovKind::kDirective && !shapes_blocks(raw().text)) return false;
+  return next_is(symbol);
 }
 
 bool PovLanguage::take_if(std::string_view text) {
@@ -124,6 +136,7 @@ void PovLanguage::declare(const std::string& name, PovValue value, bool local) {
 
 // Obeys the directive that is next. Called with nothing but the raw token known.
 void PovLanguage::obey() {
+  const Deeper deeper(this);
   const std::string name(raw().text);
   const std::string file = here().file->name;
   const uint32_t line = raw().line;
@@ -142,7 +155,7 @@ void PovLanguage::obey() {
   if (name == "version") {
     if (take_if("unofficial")) take();
     numbers();
-    take_if(";");
+    if (next_is_plainly(";")) take();
   } else if (name == "case" || name == "range") {  // reached from the case before: goes on
     expect("(");
     while (!take_if(")")) take();
@@ -197,7 +210,7 @@ void PovLanguage::declare_element(const std::string& name) {
   const size_t index = indices_into(*array, name);
   expect("=");
   array->items[index] = value();
-  take_if(";");
+  if (next_is_plainly(";")) take();
 }
 
 void PovLanguage::push(Block::Kind kind, size_t start) {
@@ -392,6 +405,7 @@ void PovLanguage::obey_macro() {
 
 // At the macro's name.
 void PovLanguage::call(PovMacro macro) {
+  const Deeper deeper(this);
   count_step();
   if (cursors_.size() >= kMaxNesting) fail("includes and macros are nested too deep");
   const std::string name(raw().text);

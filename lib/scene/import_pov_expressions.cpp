@@ -10,8 +10,6 @@
 namespace strad {
 namespace {
 
-constexpr int kMaxDepth = 200;
-
 PovNumbers number_of(double value) {
   PovNumbers numbers;
   numbers[0] = value;
@@ -204,7 +202,7 @@ PovNumbers PovLanguage::comparison() {
 
 PovNumbers PovLanguage::sum() {
   PovNumbers left = product();
-  while (next_is("+") || next_is("-")) {
+  while (operator_is_next("+") || operator_is_next("-")) {
     const bool plus = take().text == "+";
     left = by_parts(left, product(), [plus](double a, double b) { return plus ? a + b : a - b; });
   }
@@ -213,7 +211,7 @@ PovNumbers PovLanguage::sum() {
 
 PovNumbers PovLanguage::product() {
   PovNumbers left = unary();
-  while (next_is("*") || next_is("/")) {
+  while (operator_is_next("*") || operator_is_next("/")) {
     const bool times = take().text == "*";
     const PovPlace at = place();
     const PovNumbers right = unary();
@@ -226,16 +224,20 @@ PovNumbers PovLanguage::product() {
 }
 
 PovNumbers PovLanguage::unary() {
-  double sign = 1;
-  while (next_is("+") || next_is("-")) sign *= take().text == "-" ? -1 : 1;
-  if (take_if("!")) return number_of(unary()[0] == 0);
-  const PovNumbers found = postfix();
-  return sign > 0 ? found : by_parts(found, number_of(-1), [](double a, double b) { return a * b; });
+  std::string signs;
+  while (next_is("+") || next_is("-") || next_is("!")) signs += take().text;
+  PovNumbers found = postfix();
+  for (auto sign = signs.rbegin(); sign != signs.rend(); ++sign) {
+    if (*sign == '!') found = number_of(found[0] == 0);
+    if (*sign == '-') found = by_parts(found, number_of(-1), [](double a, double b) { return a * b; });
+  }
+  return found;
 }
 
 PovNumbers PovLanguage::postfix() {
   PovNumbers found = primary();
-  while (take_if(".")) {
+  while (operator_is_next(".")) {
+    take();
     constexpr std::string_view kAxes = "xyzt";
     const PovToken token = take();
     const int colour_part = first_part(token.text);
@@ -254,6 +256,7 @@ PovNumbers PovLanguage::postfix() {
 }
 
 PovNumbers PovLanguage::primary() {
+  const Deeper deeper(this);
   const PovToken& token = peek();
   if (token.kind == PovKind::kNumber) return number_of(take().number);
   if (next_is("(")) return parenthesised();
@@ -278,7 +281,6 @@ PovNumbers PovLanguage::named_numbers() {
 
 // (a), or (condition ? a : b).
 PovNumbers PovLanguage::parenthesised() {
-  if (++depth_ > kMaxDepth) fail("the expression is nested too deep");
   expect("(");
   PovNumbers found = logical();
   if (take_if("?")) {
@@ -289,12 +291,10 @@ PovNumbers PovLanguage::parenthesised() {
     found = condition ? yes : no;
   }
   expect(")");
-  --depth_;
   return found;
 }
 
 PovNumbers PovLanguage::vector_literal() {
-  if (++depth_ > kMaxDepth) fail("the expression is nested too deep");
   expect("<");
   PovNumbers found;
   found.size = 0;
@@ -306,7 +306,6 @@ PovNumbers PovLanguage::vector_literal() {
     skip_comma();
   }
   if (found.size < 2) fail("a vector has " + std::to_string(found.size) + " numbers, expected 2 to 5");
-  --depth_;
   return found;
 }
 
@@ -349,6 +348,7 @@ PovValue PovLanguage::take_named() {
 
 PovValue PovLanguage::array_value() {
   constexpr double kMostItems = 1e8;
+  constexpr size_t kMaxDimensions = 5;  // as in POV-Ray
   auto array = std::make_shared<PovArray>();
   double count = 1;
   while (next_is_plainly("[")) {
@@ -357,6 +357,7 @@ PovValue PovLanguage::array_value() {
     count *= size;
     if (!(size >= 1 && count <= kMostItems)) fail("the array has " + std::to_string(count) + " elements");
     array->sizes.push_back(static_cast<size_t>(size));
+    if (array->sizes.size() > kMaxDimensions) fail("the array has more than 5 dimensions");
     expect("]");
   }
   if (array->sizes.empty()) fail_expected("[");
@@ -384,6 +385,7 @@ void PovLanguage::fill_array(PovArray* array, size_t dimension, size_t* next) {
 }
 
 std::string PovLanguage::string() {
+  const Deeper deeper(this);
   const PovToken& token = peek();
   if (token.kind == PovKind::kString) return std::string(take().text);
   if (token.kind == PovKind::kWord) {

@@ -30,6 +30,7 @@ class PovLanguage {
   const PovToken& peek();
   PovToken take();
   bool next_is(std::string_view symbol_or_word);
+  bool operator_is_next(std::string_view symbol);
   bool next_is_plainly(std::string_view symbol_or_word);  // without obeying a directive that may be next
   bool take_if(std::string_view symbol_or_word);
   void expect(std::string_view symbol);
@@ -75,6 +76,7 @@ class PovLanguage {
 
  private:
   static constexpr size_t kNowhere = ~size_t{0};
+  static constexpr int kMaxDepth = 250;
   struct Block {
     enum Kind { kIf, kWhile, kFor, kSwitch, kMacro } kind;
     size_t start = 0;  // where a loop begins again
@@ -90,6 +92,23 @@ class PovLanguage {
     size_t plain = kNowhere;  // this token is neither a directive nor a macro
   };
 
+ protected:
+  // Counts how deep expressions, blocks and directives lie in each other; refuses what would overrun the
+  // stack.
+  class Deeper {
+   public:
+    explicit Deeper(PovLanguage* language) : language_(language) {
+      if (++language->depth_ > kMaxDepth) language->fail("expressions or blocks are nested too deep");
+    }
+    ~Deeper() { --language_->depth_; }
+    Deeper(const Deeper&) = delete;
+    Deeper& operator=(const Deeper&) = delete;
+
+   private:
+    PovLanguage* language_;
+  };
+
+ private:
   Cursor& here() { return cursors_.back(); }
   const PovToken& raw() { return here().file->tokens[here().next]; }
   void obey();
@@ -143,7 +162,7 @@ class PovLanguage {
   std::map<std::string, PovValue, std::less<>> globals_;
   std::vector<uint32_t> random_states_;
   size_t steps_ = 0;  // turns of loops and calls of macros so far
-  int depth_ = 0;     // of expressions in parentheses
+  int depth_ = 0;
 };
 
 }  // namespace strad

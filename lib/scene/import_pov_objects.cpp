@@ -9,8 +9,6 @@
 namespace strad {
 namespace {
 
-constexpr int kMaxNesting = 100;
-
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -122,7 +120,7 @@ void PovSceneReader::statement() {
 }
 
 PovObject PovSceneReader::object(std::string* name) {
-  if (++nesting_ > kMaxNesting) fail("objects are nested too deep");
+  const Deeper deeper(this);
   const PovPlace at = place();
   const std::string kind(take().text);
   PovObject made;
@@ -142,7 +140,6 @@ PovObject PovSceneReader::object(std::string* name) {
     modifiers(&made);
     if (name) *name = declared.empty() ? kind : declared;
   }
-  --nesting_;
   return made;
 }
 

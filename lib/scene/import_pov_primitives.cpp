@@ -88,6 +88,7 @@ PovTransform PovSceneReader::matrix() {
 
 // What follows `transform`: a name, or names and transformations in braces.
 PovTransform PovSceneReader::transform_block() {
+  const Deeper deeper(this);
   PovTransform transform;
   if (const auto known = named<PovTransform>()) return *known;
   expect("{");

@@ -90,7 +90,6 @@ class PovSceneReader : public PovLanguage {
   std::vector<Placed> placed_;
   std::optional<PovCamera> camera_;
   PovTexture default_texture_;
-  int nesting_ = 0;
 };
 
 }  // namespace strad

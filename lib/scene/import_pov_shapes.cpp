@@ -139,11 +139,14 @@ PovObject pov_bounded_plane(const PovPlane& plane, const PovObject& bounds) {
     outline.push_back(centre + reach * (u * frame.tangent + v * frame.bitangent));
   for (const PovFacet& side : bounds.facets) {  // Sutherland & Hodgman 1974
     const Vec3 at = bounds.points[side.corners[0]];
-    const Vec3 out = cross(bounds.points[side.corners[1]] - at, bounds.points[side.corners[2]] - at);
+    const Vec3 out =
+        normalized(cross(bounds.points[side.corners[1]] - at, bounds.points[side.corners[2]] - at));
+    // Many planes lie in a side of their box: they are within.
+    const double slack = 1e-9 * box.diagonal();
     std::vector<Vec3> kept;
     for (size_t i = 0; i < outline.size(); ++i) {
       const Vec3 a = outline[i], b = outline[(i + 1) % outline.size()];
-      const double outside_a = dot(a - at, out), outside_b = dot(b - at, out);
+      const double outside_a = dot(a - at, out) - slack, outside_b = dot(b - at, out) - slack;
       if (outside_a <= 0) kept.push_back(a);
       if ((outside_a <= 0) != (outside_b <= 0))
         kept.push_back(lerp(a, b, outside_a / (outside_a - outside_b)));
