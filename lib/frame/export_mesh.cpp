@@ -4,7 +4,6 @@
 #include <map>
 #include <numeric>
 #include <tuple>
-#include <unordered_map>
 
 #include "frame/texture.h"
 #include "image/srgb.h"
@@ -12,14 +11,6 @@
 
 namespace strad {
 namespace {
-
-constexpr int kDates = 8;  // at which the light of quads is looked at
-constexpr float kFlatness =
-    0.004f;  // tolerated error of cutting a quad in two, fraction of the mean irradiance
-
-uint64_t edge_key(uint32_t a, uint32_t b) {
-  return (static_cast<uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
-}
 
 // A point of a leaf: vertices whose mean it is, and its place on the polygon.
 struct LeafPoint {
@@ -35,70 +26,6 @@ LeafPoint mean_of(const Mesh& mesh, const uint32_t* vertices, int count) {
   }
   return point;
 }
-
-// All vertices where an edge is split, and the leaves whose light two triangles would not carry.
-class Leaves {
- public:
-  explicit Leaves(const Slab& slab) : mesh_(slab.mesh) {
-    for (uint32_t v = 0; v < mesh_.vertices.size(); ++v) {
-      const uint32_t* parents = mesh_.vertices[v].parents;
-      if (parents[0] != kNone && parents[2] == kNone) middle_of_edge_[edge_key(parents[0], parents[1])] = v;
-    }
-    mark_twisted(slab);
-  }
-
-  // Corners of a leaf and the vertices that hang on its edges, in order.
-  std::vector<uint32_t> outline(const Element& leaf) const {
-    std::vector<uint32_t> vertices;
-    const int n = leaf.corner_count();
-    for (int i = 0; i < n; ++i) add_edge(leaf.vertices[i], leaf.vertices[(i + 1) % n], &vertices);
-    return vertices;
-  }
-  bool twisted(uint32_t element) const { return twisted_[element]; }
-
- private:
-  // The edge from a up to, but without, b.
-  void add_edge(uint32_t a, uint32_t b, std::vector<uint32_t>* vertices) const {
-    const auto middle = middle_of_edge_.find(edge_key(a, b));
-    if (middle == middle_of_edge_.end()) return vertices->push_back(a);
-    add_edge(a, middle->second, vertices);
-    add_edge(middle->second, b, vertices);
-  }
-
-  void mark_twisted(const Slab& slab) {
-    twisted_.assign(mesh_.elements.size(), false);
-    for (int i = 0; i < kDates; ++i) {
-      const double s = (i + 0.5) / kDates;
-      mark_twisted(light_at(slab, slab_begin(slab) + s * (slab_end(slab) - slab_begin(slab))));
-    }
-  }
-
-  void mark_twisted(const VertexLight& light) {
-    if (light.direct.empty()) return;
-    double sum = 0;
-    for (size_t v = 0; v < light.direct.size(); ++v) {
-      sum += max_channel(light.direct[v] + light.indirect[v]);
-    }
-    const float tolerance = kFlatness * static_cast<float>(sum / static_cast<double>(light.direct.size()));
-    for (size_t e = 0; e < mesh_.elements.size(); ++e) {
-      const Element& leaf = mesh_.elements[e];
-      if (leaf.first_child != kNone || leaf.corner_count() == 3 || twisted_[e]) continue;
-      const float twist = std::max(twist_of(leaf, light.direct), twist_of(leaf, light.indirect));
-      twisted_[e] =
-          twist / 4 > tolerance;  // in the middle, the bilinear quad differs from its diagonal by this
-    }
-  }
-
-  static float twist_of(const Element& leaf, const std::vector<Rgb>& values) {
-    const uint32_t* v = leaf.vertices;
-    const Rgb twist = values[v[0]] - values[v[1]] + values[v[2]] - values[v[3]];
-    return max_channel({std::abs(twist.r), std::abs(twist.g), std::abs(twist.b)});
-  }
-
-  const Mesh& mesh_;
-  std::unordered_map<uint64_t, uint32_t> middle_of_edge_;  // looked up only, never iterated
-  std::vector<bool> twisted_;
-};
 
 Rgb mean_colour(const Texture& texture) {
   double sum[3] = {0, 0, 0};
@@ -180,15 +107,15 @@ class BodyBuilder {
 };
 
 // Adds the leaves below `element`.
-void add_leaves(const Mesh& mesh, const Leaves& leaves, uint32_t element, const Face& face, bool lifted,
+void add_leaves(const Mesh& mesh, const ExportLeaves& leaves, uint32_t element, const Face& face, bool lifted,
                 BodyBuilder* body) {
   const Element& e = mesh.elements[element];
-  if (e.first_child != kNone) {
+  if (!leaves.is_leaf(element)) {
     for (uint32_t c = 0; c < 4; ++c) add_leaves(mesh, leaves, e.first_child + c, face, lifted, body);
     return;
   }
   const int n = e.corner_count();
-  const std::vector<uint32_t> outline = leaves.outline(e);
+  const std::vector<uint32_t> outline = leaves.outline(element);
   std::vector<LeafPoint> points;
   const bool about_centre = outline.size() > static_cast<size_t>(n) || leaves.twisted(element);
   if (about_centre) points.push_back(mean_of(mesh, e.vertices, n));
@@ -206,7 +133,7 @@ void add_dark(const Scene& scene, uint32_t polygon, BodyBuilder* body) {
   body->add_fan(polygon, 0, false, points);
 }
 
-void add_polygon(const Scene& scene, const Mesh& mesh, const Leaves& leaves, uint32_t polygon,
+void add_polygon(const Scene& scene, const Mesh& mesh, const ExportLeaves& leaves, uint32_t polygon,
                  BodyBuilder* body) {
   const uint32_t front = mesh.face_of_side[2 * polygon], back = mesh.face_of_side[2 * polygon + 1];
   const bool front_shows = front != kNone || back == kNone || emits(scene, scene.polygons[polygon]);
@@ -222,8 +149,8 @@ void add_polygon(const Scene& scene, const Mesh& mesh, const Leaves& leaves, uin
 
 }  // namespace
 
-std::vector<ExportBody> export_mesh(const Scene& scene, const Slab& slab) {
-  const Leaves leaves(slab);
+std::vector<ExportBody> export_mesh(const Scene& scene, const Slab& slab, ExportLight light) {
+  const ExportLeaves leaves(slab, light);
   std::vector<BodyBuilder> builders(scene.bodies.size(), BodyBuilder(scene, export_lift(scene)));
   for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
     add_polygon(scene, slab.mesh, leaves, p, &builders[body_of(scene, scene.polygons[p])]);
@@ -239,7 +166,7 @@ std::vector<ExportBody> export_mesh(const Scene& scene, const Slab& slab) {
 double export_lift(const Scene& scene) {
   Box box;
   for (const Vec3& vertex : scene.vertices) box.add(vertex);
-  return 1e-5 * box.diagonal();
+  return 2e-6 * box.diagonal();  // some thirty units in the last place of a float
 }
 
 Rgb corner_irradiance(const ExportCorner& corner, const std::vector<Rgb>& vertex_irradiance) {

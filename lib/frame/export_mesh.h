@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "frame/export_leaves.h"
 #include "scene/scene.h"
 #include "scene/trajectory.h"
 #include "solve/solution.h"
@@ -30,13 +31,12 @@ struct ExportBody {
   std::vector<std::array<uint32_t, 3>> triangles;  // of corners, counter-clockwise seen from the lit side
 };
 
-// Bodies in their order, without those that have no polygons. Leaves that larger leaves touch are cut so that
-// no edge has a corner in its middle; quads that are not flat in light (seen at several dates) are cut about
-// their centre, others in two. Both sides of a polygon are given when its back is lit too, the back lifted by
-// 1e-5 of the scene's diagonal.
-std::vector<ExportBody> export_mesh(const Scene& scene, const Slab& slab);
+// Bodies in their order, without those that have no polygons. Leaves that smaller leaves touch are cut about
+// their centre so that no edge has a corner in its middle; so are quads that two triangles would show
+// wrongly. Both sides of a polygon are given when its back is lit too, the back lifted by export_lift.
+std::vector<ExportBody> export_mesh(const Scene& scene, const Slab& slab, ExportLight light);
 
-// m: 1e-5 of the scene's diagonal. Between the two sides of a polygon, and between a lamp and the polygon it
+// m: 2e-6 of the scene's diagonal. Between the two sides of a polygon, and between a lamp and the polygon it
 // stands for: more than rounding, less than shows.
 double export_lift(const Scene& scene);
 

@@ -49,7 +49,7 @@ struct PlyExport::State {
 
   State(const Scene& s, const Solution& light)
       : scene(s), solution(light), textured_reflectance(textured_reflectances(s)) {
-    for (const Slab& slab : solution.slabs) meshes.push_back(export_mesh(scene, slab));
+    for (const Slab& slab : solution.slabs) meshes.push_back(export_mesh(scene, slab, ExportLight::kAll));
   }
 
   Rgb radiance(const ExportCorner& corner, const VertexLight& light, const std::vector<float>& glow) const {

@@ -60,9 +60,10 @@ struct PovExport::State {
     for (size_t m = 0; m < s.materials.size(); ++m) {
       identifiers.image_files.push_back(shading.image_of(m) ? without_folder(names.texture(m)) : "");
     }
+    const ExportLight exported_light = baked() ? ExportLight::kAll : ExportLight::kIndirect;
     for (const FrameTime& frame : frames) {
       const uint32_t slab = slab_at(solution, frame.time);
-      if (!meshes.contains(slab)) meshes[slab] = export_mesh(scene, solution.slabs[slab]);
+      if (!meshes.contains(slab)) meshes[slab] = export_mesh(scene, solution.slabs[slab], exported_light);
     }
     if (options.light == PovLighting::kLights) lamps = pov_lamps(scene, options.lamp_samples);
   }

@@ -29,7 +29,7 @@ TEST(ExportMesh, FlatQuadBecomesTwoTrianglesSeenFromTheFront) {
   const Scene scene = square_scene();
   MeshBuilder builder(scene);
   builder.face(0, 0);
-  const auto bodies = export_mesh(scene, lit_slab(scene, builder.take(), kOne, kZero));
+  const auto bodies = export_mesh(scene, lit_slab(scene, builder.take(), kOne, kZero), ExportLight::kAll);
   ASSERT_EQ(bodies.size(), 1u);
   EXPECT_EQ(bodies[0].corners.size(), 4u);
   EXPECT_EQ(bodies[0].triangles.size(), 2u);
@@ -44,7 +44,7 @@ TEST(ExportMesh, TwistedQuadIsCutAboutItsCentre) {
   builder.face(0, 0);
   const Slab slab = lit_slab(
       scene, builder.take(), [](Vec3 p) { return grey(p.x * p.y); }, kZero);
-  const auto bodies = export_mesh(scene, slab);
+  const auto bodies = export_mesh(scene, slab, ExportLight::kAll);
   ASSERT_EQ(bodies[0].corners.size(), 5u);
   EXPECT_EQ(bodies[0].triangles.size(), 4u);
   const std::vector<Rgb> direct = light_at(slab, 0).direct;
@@ -61,7 +61,10 @@ TEST(ExportMesh, NoTriangleHasACornerOnAnothersEdge) {
   builder.split(0);
   builder.split(1);
   builder.split(builder.mesh().elements[1].first_child + 2);
-  const ExportBody body = export_mesh(scene, lit_slab(scene, builder.take(), kOne, kZero))[0];
+  const auto bowl = [](Vec3 p) { return grey(p.x * p.x + p.y * p.y); };  // of which every vertex matters
+  const ExportBody body =
+      export_mesh(scene, lit_slab(scene, builder.take(), bowl, kZero), ExportLight::kAll)[0];
+  EXPECT_GT(body.triangles.size(), 20u);
   EXPECT_NEAR(total_area(body).z, 1, 1e-12);
   std::map<std::pair<uint32_t, uint32_t>, int> uses;
   for (const auto& t : body.triangles) {
@@ -75,12 +78,28 @@ TEST(ExportMesh, NoTriangleHasACornerOnAnothersEdge) {
   }
 }
 
+// Light that its neighbours tell needs no vertices; direct light needs none where only indirect light is
+// shown.
+TEST(ExportMesh, WhatWouldNotShowIsLeftOut) {
+  const Scene scene = square_scene();
+  MeshBuilder builder(scene);
+  builder.face(0, 0);
+  builder.split(0);
+  builder.split(2);
+  const Slab slab = lit_slab(
+      scene, builder.take(), [](Vec3 p) { return grey(p.x * p.x); },
+      [](Vec3 p) { return grey(p.x + 2 * p.y); });
+  EXPECT_EQ(export_mesh(scene, slab, ExportLight::kIndirect)[0].triangles.size(), 2u);
+  EXPECT_GT(export_mesh(scene, slab, ExportLight::kAll)[0].triangles.size(), 8u);
+}
+
 TEST(ExportMesh, BackLiesBehindTheFrontAndFacesAway) {
   const Scene scene = square_scene();
   MeshBuilder builder(scene);
   builder.face(0, 0);
   builder.face(0, 1);
-  const ExportBody body = export_mesh(scene, lit_slab(scene, builder.take(), kOne, kZero))[0];
+  const ExportBody body =
+      export_mesh(scene, lit_slab(scene, builder.take(), kOne, kZero), ExportLight::kAll)[0];
   ASSERT_EQ(body.corners.size(), 8u);
   int backs = 0;
   for (const auto& triangle : body.triangles) {
@@ -97,7 +116,8 @@ TEST(ExportMesh, BackAloneStaysInPlace) {
   const Scene scene = square_scene();
   MeshBuilder builder(scene);
   builder.face(0, 1);
-  const ExportBody body = export_mesh(scene, lit_slab(scene, builder.take(), kOne, kZero))[0];
+  const ExportBody body =
+      export_mesh(scene, lit_slab(scene, builder.take(), kOne, kZero), ExportLight::kAll)[0];
   EXPECT_NEAR(total_area(body).z, -1, 1e-12);
   for (const ExportCorner& corner : body.corners) EXPECT_EQ(corner.position.z, 0);
 }
@@ -105,7 +125,7 @@ TEST(ExportMesh, BackAloneStaysInPlace) {
 TEST(ExportMesh, UnlitPolygonIsThereAndDark) {
   const Scene scene = square_scene();
   const Slab slab = lit_slab(scene, MeshBuilder(scene).take(), kOne, kZero);
-  const ExportBody body = export_mesh(scene, slab)[0];
+  const ExportBody body = export_mesh(scene, slab, ExportLight::kAll)[0];
   EXPECT_NEAR(total_area(body).z, 1, 1e-12);
   for (const ExportCorner& corner : body.corners) EXPECT_EQ(corner_irradiance(corner, {}), Rgb{});
 }
@@ -115,7 +135,8 @@ TEST(ExportMesh, EmitterLitOnItsBackOnlyShowsBothSides) {
   scene.materials[0].emission = {1, 1, 1};
   MeshBuilder builder(scene);
   builder.face(0, 1);
-  const ExportBody body = export_mesh(scene, lit_slab(scene, builder.take(), kOne, kZero))[0];
+  const ExportBody body =
+      export_mesh(scene, lit_slab(scene, builder.take(), kOne, kZero), ExportLight::kAll)[0];
   int emitting = 0;
   for (const ExportCorner& corner : body.corners) emitting += corner.emits;
   EXPECT_EQ(emitting, 4);
@@ -132,7 +153,8 @@ TEST(ExportMesh, CornersAreOrderedByMaterialWithinABody) {
   scene.polygons[0].material = 1;
   scene.polygons.push_back({.corners = {4, 5, 6, kNone}, .material = 0, .object = 0});
   scene.polygons.push_back({.corners = {4, 5, 6, kNone}, .material = 0, .object = 1});
-  const auto bodies = export_mesh(scene, lit_slab(scene, MeshBuilder(scene).take(), kOne, kZero));
+  const auto bodies =
+      export_mesh(scene, lit_slab(scene, MeshBuilder(scene).take(), kOne, kZero), ExportLight::kAll);
   ASSERT_EQ(bodies.size(), 2u);
   EXPECT_EQ(bodies[0].body, 0u);
   EXPECT_EQ(bodies[1].body, 2u);
