@@ -10,8 +10,8 @@
 namespace strad {
 namespace {
 
-constexpr size_t kMaxSteps =
-    20'000'000;  // turns of loops and calls of macros: beyond, a loop is taken for endless
+// Turns of loops and calls of macros: beyond, a loop is taken for endless.
+constexpr size_t kMaxSteps = 5'000'000;
 constexpr size_t kMaxNesting = 100;  // includes and macros in each other
 
 bool opens_block(std::string_view directive) {
@@ -198,9 +198,8 @@ void PovLanguage::obey_declare(bool local) {
   } else if (auto* camera = std::get_if<PovCamera>(&declared)) {
     camera->name = name;
   }
-  declare(name, std::move(declared),
-          local);  // before the next token: it may be a directive that uses the name
-  take_if(";");
+  declare(name, std::move(declared), local);
+  if (next_is_plainly(";")) take();
 }
 
 void PovLanguage::declare_element(const std::string& name) {

@@ -112,6 +112,14 @@ TEST_F(ImportPov, evaluates_expressions) {
       {7, 2.5, 65});
 }
 
+TEST_F(ImportPov, scatters_as_povray_does) {
+  // What povray 3.7 prints for these.
+  expect_near(evaluated("<rand(S), rand(S), 0>", "#declare S = seed(7);"), {0.95393288, 0.61046628, 0}, 1e-6);
+  expect_near(evaluated("vrotate(<1, 2, 3>, <10, 20, 30>)"), {1.06743, 2.28906, 2.76058});
+  expect_near(evaluated("<N, 0, 0>", "#declare N = 0; #for (K, 0, 1, 0.1) #declare N = N + 1; #end "),
+              {11, 0, 0});
+}
+
 TEST_F(ImportPov, obeys_directives) {
   expect_near(evaluated("<N, 0, 0>",
                         "#declare N=0; #declare I=0; #while (I<5) #declare N=N+I; #declare I=I+1; #end "),
@@ -203,7 +211,8 @@ TEST_F(ImportPov, bounds_planes_by_boxes) {
   const Scene turned =
       import(kKept + "plane { <0, 2, 0>, 1 rotate 90*z bounded_by { box { -1, 1 } } translate 5*x }");
   EXPECT_NEAR(area_of(turned), 4, 1e-6);
-  EXPECT_NEAR(turned.vertices[0].x, 4.5, 1e-6);
+  EXPECT_NEAR(turned.vertices[0].x, 4,
+              1e-6);  // the length of the normal says nothing; it lies in a side of the box
 }
 
 TEST_F(ImportPov, gives_textures_to_what_has_none) {
@@ -340,8 +349,8 @@ TEST_F(ImportPov, refuses_by_name_what_it_cannot_show) {
   for (const auto& [text, expected] : cases) {
     if (text.starts_with("#fopen")) continue;
     import(text + "\nbox { 5, 6 }");
-    EXPECT_EQ(note(0),
-              expected.substr(0, expected.size() - std::string("is not supported").size()) + "left out");
+    const std::string left_out = expected.substr(0, expected.size() - std::string("is not supported").size());
+    EXPECT_TRUE(note(0).starts_with(left_out + "left out")) << note(0);
   }
 }
 
@@ -357,7 +366,7 @@ TEST_F(ImportPov, refuses_broken_files_with_their_line) {
       {"#declare A = blob2", "room.pov:1: found \"blob2\", expected a value"},
       {"#if (1) box { 0, 1 }", "room.pov:1: the block is not closed, expected #end"},
       {"#end", "room.pov:1: found #end outside a block"},
-      {"#while (1) #end", "room.pov:1: the file takes more than 10000000 turns of loops"},
+      {"#while (1) #end", "room.pov:1: the file takes more than 5000000 turns of loops"},
       {"#macro M() M() #end M()", "room.pov:1: includes and macros are nested too deep"},
       {"#include \"room.pov\"", "room.pov:1: includes and macros are nested too deep"},
       {"#for (I, 0, 1, 0) #end", "room.pov:1: the loop never ends: its step is 0"},
@@ -383,8 +392,10 @@ TEST_F(ImportPov, survives_deep_nesting) {
   for (int i = 0; i < 100000; ++i) braces += "union { ", parentheses += "(";
   EXPECT_NE(refusal(braces).find("nested too deep"), std::string::npos);
   EXPECT_NE(refusal("box { 0, " + parentheses + " }").find("nested too deep"), std::string::npos);
-  EXPECT_NE(refusal("box { 0, " + std::string(1000000, '!') + "1 }").find("nested too deep"),
-            std::string::npos);
+  EXPECT_EQ(refusal("box { 0, " + std::string(1000001, '-') + "1 }"), "");
+  std::string declarations;
+  for (int i = 0; i < 100000; ++i) declarations += "#declare A = 1\n";  // no semicolon ends them
+  EXPECT_EQ(refusal(declarations + "box { 0, A }"), "");
 }
 
 TEST_F(ImportPov, names_every_truncation_or_imports_it) {
