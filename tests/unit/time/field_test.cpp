@@ -1,0 +1,110 @@
+// Functions of time read at an instant and over a stretch: continuity, steps, means.
+#include "time/field.h"
+
+#include <gtest/gtest.h>
+
+#include "field_samples.h"
+
+namespace strad {
+namespace {
+
+class FieldOfOrder : public testing::TestWithParam<int> {
+ protected:
+  // Smooth but for a step at 7, where the grid has a new span; coarse, so that pieces do not meet by
+  // themselves.
+  static double curve(double t) { return t < 7 ? std::sin(t) + 2 : std::cos(3 * t) - 1; }
+  const TimeGrid grid = make_time_grid(0, 20, {7}, GetParam(), 300);
+  const Field field = field_of(grid, curve, 0.05f);
+
+  double at(double t, bool continuous) const { return value_at(grid, field, 0, t, continuous).r; }
+  // value(t+) - value(t-)
+  double jump(double t, bool continuous) const { return at(t, continuous) - at(t - 1e-9, continuous); }
+};
+INSTANTIATE_TEST_SUITE_P(AllOrders, FieldOfOrder, testing::Values(1, 2, 3));
+
+TEST_P(FieldOfOrder, IsContinuousInsideSpans) {
+  double worst = 0, worst_before = 0;
+  for (uint32_t c = 1; c < grid.cell_count(); ++c) {
+    if (c == grid.spans[1].first_cell) continue;
+    const double t = interval_begin(grid, {c, 0});
+    worst = std::max(worst, std::abs(jump(t, true)));
+    worst_before = std::max(worst_before, std::abs(jump(t, false)));
+  }
+  EXPECT_LT(worst, 1e-5);
+  EXPECT_GT(worst_before, 1e-3);  // else this tests nothing
+}
+
+TEST_P(FieldOfOrder, StepsStaySharp) {
+  const double step = curve(7) - curve(7 - 1e-9);
+  EXPECT_NEAR(jump(7, true), step, 0.3);
+  EXPECT_NEAR(at(7 - 1e-9, true), curve(7 - 1e-9), 0.15);
+  EXPECT_NEAR(at(7, true), curve(7), 0.15);
+}
+
+TEST_P(FieldOfOrder, JumpIsThatOfTheRawFunction) {
+  double largest = 0;
+  for (uint32_t c = 1; c < grid.cell_count(); ++c) {
+    const double raw = jump_at(grid, field, 0, c).r;
+    EXPECT_NEAR(raw, jump(interval_begin(grid, {c, 0}), false), 1e-4);
+    largest = std::max(largest, std::abs(raw));
+  }
+  EXPECT_GT(largest, 0.5);  // the step
+  EXPECT_EQ(jump_at(grid, field, 0, 0), Rgb{});
+}
+
+TEST_P(FieldOfOrder, MeanIsTheIntegral) {
+  const double stretches[][2] = {{0, 20}, {1.3, 1.34}, {2, 6.5}, {6.9, 7.1}, {6.5, 19.9}, {7, 8}};
+  for (const bool continuous : {false, true})
+    for (const auto& [begin, end] : stretches) {
+      double sum = 0;
+      constexpr int kSteps = 40000;
+      for (int i = 0; i < kSteps; ++i) sum += at(begin + (i + 0.5) * (end - begin) / kSteps, continuous);
+      EXPECT_NEAR(mean_over(grid, field, 0, begin, end, continuous).r, sum / kSteps, 2e-4)
+          << begin << " to " << end;
+    }
+}
+
+TEST_P(FieldOfOrder, TheMeanOfNoTimeIsTheValue) {
+  EXPECT_EQ(mean_over(grid, field, 0, 3, 3, true), value_at(grid, field, 0, 3, true));
+}
+
+TEST_P(FieldOfOrder, TimesOutsideHoldTheEnds) {
+  EXPECT_EQ(at(-5, true), at(0, true));
+  EXPECT_EQ(at(25, true), at(20, true));
+}
+
+// Beside a gap a function goes down to zero.
+TEST_P(FieldOfOrder, MeetsAGapAtZero) {
+  const TimeGrid even = make_time_grid(0, 16, {}, GetParam(), 16 * GetParam());
+  std::vector<bool> active(16, false);
+  active[5] = active[6] = true;
+  Field island;
+  island.order = GetParam();
+  append_row(even, samples_of(even, [](double) { return 7; }), active, 1e-3f, &island);
+  EXPECT_NEAR(value_at(even, island, 0, 5, true).r, 0, 1e-6);
+  EXPECT_NEAR(value_at(even, island, 0, 7 - 1e-9, true).r, 0, 1e-5);
+  EXPECT_GT(value_at(even, island, 0, 6, true).r, 1);
+}
+
+TEST(Field, RowsAreApart) {
+  const TimeGrid grid = make_time_grid(0, 10, {}, 2, 40);
+  Field field;
+  field.order = 2;
+  for (const double level : {1.0, 0.0, 3.0})
+    append_row(grid, samples_of(grid, [&](double) { return level; }), {}, 1e-3f, &field);
+  EXPECT_NEAR(value_at(grid, field, 0, 4, true).r, 1, 1e-6);
+  EXPECT_NEAR(value_at(grid, field, 1, 4, true).r, 0, 1e-6);
+  EXPECT_NEAR(value_at(grid, field, 2, 4, true).r, 3, 1e-6);
+  EXPECT_NEAR(value_at(grid, field, 2, 4, true).g, 1.5, 1e-6);
+}
+
+TEST(Field, OfAnInstantHasItsValue) {
+  const TimeGrid grid = instant_grid(3);
+  Field field;
+  append_row(grid, {{2, 1, 0}}, {}, 1e-3f, &field);
+  EXPECT_EQ(value_at(grid, field, 0, 3, true), (Rgb{2, 1, 0}));
+  EXPECT_EQ(value_at(grid, field, 0, 0, true), (Rgb{2, 1, 0}));
+}
+
+}  // namespace
+}  // namespace strad
