@@ -166,7 +166,7 @@ std::vector<ExportBody> export_mesh(const Scene& scene, const Slab& slab, Export
 double export_lift(const Scene& scene) {
   Box box;
   for (const Vec3& vertex : scene.vertices) box.add(vertex);
-  return 2e-6 * box.diagonal();  // some thirty units in the last place of a float
+  return 2e-6 * box.diagonal();  // about twenty units in the last place of a float
 }
 
 Rgb corner_irradiance(const ExportCorner& corner, const std::vector<Rgb>& vertex_irradiance) {
