@@ -79,6 +79,8 @@ void DirectPhase::evaluate(const std::vector<uint32_t>& vertices,
       const SparseFunction& known = functions_[vertex];
       SparseFunction f;
       f.cells = union_of(known.cells, cells[i]);
+      f.cells.shrink_to_fit();
+      f.values.reserve(f.cells.size() * static_cast<size_t>(grid_.order));
       size_t old = 0;
       for (const uint32_t cell : f.cells) {
         const auto order = static_cast<size_t>(grid_.order);
@@ -245,6 +247,7 @@ Field DirectPhase::surpluses(float tolerance) {
   }
   functions_ = {};
   split_cells_ = {};
+  field.shrink();
   return field;
 }
 

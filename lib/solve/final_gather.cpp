@@ -157,14 +157,16 @@ GatheredFunction FinalGather::at_rest(const Receiver& receiver, uint64_t* rays) 
 GatheredFunction FinalGather::in_motion(const Receiver& receiver, uint64_t* rays) const {
   const uint32_t order = static_cast<uint32_t>(grid_.order);
   GatheredFunction sum{std::vector<Rgb>(grid_.node_count()), std::vector<float>(grid_.node_count(), 1.0f)};
-  const float share = 1.0f / static_cast<float>(ray_count_);
+  // Two sets of rays are blended at each date, so half of the rays in each give the same noise.
+  const int ray_count = std::max(1, ray_count_ / 2);
+  const float share = 1.0f / static_cast<float>(ray_count);
   const auto look = [&](const std::vector<Pose>& poses) {
     const Pose& pose = poses[receiver.body];
     std::vector<uint32_t> seen;
-    for (int r = 0; r < ray_count_; ++r)
+    for (int r = 0; r < ray_count; ++r)
       seen.push_back(
           leaf_of(tracer_.closest(poses, pose * origin(receiver, r), rotate(pose, direction(receiver, r)))));
-    *rays += static_cast<uint64_t>(ray_count_);
+    *rays += static_cast<uint64_t>(ray_count);
     std::sort(seen.begin(), seen.end());
     return seen;
   };

@@ -217,6 +217,7 @@ Field IndirectPhase::surpluses(float tolerance) {
     }
     append_row(grid_, row, {}, tolerance, &field);
   }
+  field.shrink();
   return field;
 }
 

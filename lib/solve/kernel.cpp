@@ -12,7 +12,7 @@ struct Uv {
   double u, v;
 };
 // Quadrature points: 2 x 2. Control points, apart from them: near the corners and the centre, and for large
-// receivers the middles of the edges too (design: 9 control points halve the error of 1).
+// receivers the middles of the edges too (nine control points halve the error of one).
 constexpr Uv kQuadrature[4] = {{0.27, 0.23}, {0.77, 0.27}, {0.23, 0.73}, {0.73, 0.77}};
 constexpr Uv kControl[9] = {{0.06, 0.06}, {0.94, 0.06}, {0.94, 0.94}, {0.06, 0.94}, {0.5, 0.5},
                             {0.5, 0.06},  {0.94, 0.5},  {0.5, 0.94},  {0.06, 0.5}};

@@ -1,5 +1,6 @@
 #include "solve/solve.h"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -184,6 +185,7 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
   report(0.5, "propagation");
   LeafFunctions leaf_direct = direct_of_leaves(work, direct, views.exposed);
   slab.direct = direct.surpluses(tolerance);
+  malloc_trim(0);  // many small functions were freed: give their pages back before the leaves take theirs
   input.direct = &leaf_direct;
   LeafFunctions radiance;
   const TransportResult result = propagate_all(input, &radiance);
@@ -201,6 +203,8 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
   indirect.run();
   slab.indirect = indirect.surpluses(tolerance);
   slab.mesh = builder.take();
+  // Vertices that indirect light has added since have no direct light of their own.
+  slab.direct.first_piece.resize(slab.mesh.vertices.size() + 1, slab.direct.first_piece.back());
 
   count(refinement, indirect, &out.indirect);
   rest.into(&out.indirect);

@@ -1,4 +1,4 @@
-// What a solve did and cost, as JSON (design 1.6).
+// What a solve did and cost, as JSON.
 #pragma once
 
 #include <string>

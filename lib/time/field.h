@@ -17,6 +17,12 @@ struct Field {
   std::vector<Interval> pieces;
   std::vector<Rgb> coefficients;  // pieces * order
 
+  // Gives back memory kept for growth.
+  void shrink() {
+    first_piece.shrink_to_fit();
+    pieces.shrink_to_fit();
+    coefficients.shrink_to_fit();
+  }
   uint32_t row_count() const { return static_cast<uint32_t>(first_piece.size() - 1); }
 };
 
@@ -24,7 +30,7 @@ struct Field {
 //
 // With `continuous`, the two one-sided values at a boundary of two pieces inside a span are both replaced by
 // their mean (by zero where the neighbour is a gap), by adding to each piece the linear function that does so
-// (design: continuity). Steps, the boundaries of spans, stay sharp. It needs the pieces that touch the piece
+// (the paper asks for continuity across interval boundaries). Steps, the boundaries of spans, stay sharp. It needs the pieces that touch the piece
 // at `time`: those of the cell before its first and of the cell after its last.
 Rgb value_at(const TimeGrid& grid, const Field& field, uint32_t row, double time, bool continuous);
 
