@@ -140,7 +140,8 @@ std::string PovExport::State::ini_text() const {
       << "\nFrame_Step=" << step << "\nInitial_Clock=" << frames.front().time
       << "\nFinal_Clock=" << frames.back().time << "\nWidth=" << options.width
       << "\nHeight=" << options.height
-      << "\nOutput_File_Type=N\nAntialias=On\nAntialias_Threshold=0.1\nDisplay=Off\n";
+      << "\nOutput_File_Type=N\nAntialias=On\nSampling_Method=2\nAntialias_Threshold=0.1\nAntialias_Depth="
+         "4\nJitter=Off\nDisplay=Off\n";
   return out.take();
 }
 
