@@ -12,8 +12,9 @@ for k in 1 5 9; do
   [ "$vertices" -gt 40 ] && [ "$faces" -gt 20 ]
   [ "$(stat -c %s room.$k.ply)" = $((${#header} + 1 + 27 * vertices + 13 * faces)) ]
   tail -c $((13 * faces)) room.$k.ply >faces.$k
-  tail -c $((13 * faces + 27 * vertices)) room.$k.ply | head -c 12 >first.$k
-  tail -c $((13 * faces + 27)) room.$k.ply | head -c 12 >last.$k
+  body=$((${#header} + 1))
+  dd if=room.$k.ply of=first.$k bs=1 count=12 skip=$body status=none
+  dd if=room.$k.ply of=last.$k bs=1 count=12 skip=$((body + 27 * (vertices - 1))) status=none
 done
 cmp faces.1 faces.5
 cmp faces.1 faces.9

@@ -21,7 +21,7 @@ ls room08.png room09.png room10.png >/dev/null
 same() { strad-diff --max 0 "$1" "$2" || { echo "$1 is not $2"; exit 1; }; }  # PNG files hold the time
 same files/room10.png room10.png
 # The scene alone shows the first frame; a still needs no number.
-povray files/room.pov +Lfiles +W32 +H24 +A0.1 -D +Oalone.png >log 2>&1 || { cat log; exit 1; }
+povray files/room.pov +Lfiles +W32 +H24 +AM2 +A0.1 +R4 -J -D +Oalone.png >log 2>&1 || { cat log; exit 1; }
 same alone.png room08.png
 strad-frame -t 0.7 -s 32x24 --pov -o still.inc room.strad
 povray still.ini +Ostill.png >log 2>&1 || { cat log; exit 1; }
