@@ -241,10 +241,7 @@ GatheredFunction FinalGather::at_vertex(uint32_t vertex, uint64_t* rays) const {
 }
 
 GatheredFunction FinalGather::over_node(uint32_t node, uint64_t* rays) const {
-  GatheredFunction f = gather(receiver_of_node(node), rays);
-  for (size_t i = 0; i < f.irradiance.size(); ++i)
-    f.irradiance[i] = (1 / std::max(f.open[i], 0.1f)) * f.irradiance[i];
-  return f;
+  return gather(receiver_of_node(node), rays);
 }
 
 FinalGather::View FinalGather::view_of(uint32_t node, uint64_t* rays) const {

@@ -32,7 +32,7 @@ class FinalGather {
               const std::vector<std::vector<Rgb>>& radiance, int rays);
 
   GatheredFunction at_vertex(uint32_t vertex, uint64_t* rays) const;
-  // The mean over the exposed part of a node: each ray starts at another point of it.
+  // The mean over a node: each ray starts at another point of it. Not scaled up; `open` always filled.
   GatheredFunction over_node(uint32_t node, uint64_t* rays) const;
 
   // What the rays of a node meet, as shares of all: surfaces that take part, and dead ones. Where a node is

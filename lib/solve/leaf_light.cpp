@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kLeafRays = 128;  // a leaf's noise of some 5 % is averaged over the hundreds that a point sees
 
+constexpr float kLeastOpen = 0.2f;  // a leaf more covered than this is all but unseen
+
 uint64_t sum_of(const std::vector<uint64_t>& counts) {
   return std::accumulate(counts.begin(), counts.end(), uint64_t{0});
 }
@@ -39,9 +41,11 @@ uint64_t bounce(const Workspace& work, const LeafFunctions& direct, LeafFunction
         const size_t n = first + i;
         if ((*radiance)[n].empty()) continue;
         const Rgb brdf = static_cast<float>(1 / kPi) * work.tree.nodes()[n].reflectance;
-        reflected[i] = gather.over_node(static_cast<uint32_t>(n), &rays[n]).irradiance;
+        GatheredFunction f = gather.over_node(static_cast<uint32_t>(n), &rays[n]);
+        reflected[i] = std::move(f.irradiance);
+        // Means over the leaf become means over what of it is exposed at that date.
         for (size_t d = 0; d < reflected[i].size(); ++d)
-          reflected[i][d] = brdf * (direct[n][d] + reflected[i][d]);
+          reflected[i][d] = (1 / std::max(f.open[d], kLeastOpen)) * brdf * (direct[n][d] + reflected[i][d]);
       }
     });
     for (size_t i = 0; i < count; ++i)
@@ -57,15 +61,13 @@ Views views_of(const Workspace& work, uint64_t* rays) {
   const LeafFunctions lit(nodes.size(), std::vector<Rgb>(1));
   const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, lit, kLeafRays);
   Views views;
-  for (std::vector<float>* v : {&views.row_sums, &views.column_sums, &views.exposed})
-    v->assign(nodes.size(), 1.0f);
+  for (std::vector<float>* v : {&views.row_sums, &views.column_sums}) v->assign(nodes.size(), 1.0f);
   std::vector<uint64_t> counts(nodes.size(), 0);
   parallel_for(nodes.size(), 16, [&](size_t begin, size_t end) {
     for (size_t n = begin; n < end; ++n) {
       if (nodes[n].first_child != kNone) continue;
       const FinalGather::View view = gather.view_of(static_cast<uint32_t>(n), &counts[n]);
-      views.exposed[n] = std::max(1 - view.dead, 0.1f);
-      views.row_sums[n] = view.lit / views.exposed[n];
+      views.row_sums[n] = view.lit / std::max(1 - view.dead, kLeastOpen);  // of the exposed part
       views.column_sums[n] = view.lit;
     }
   });
@@ -73,8 +75,7 @@ Views views_of(const Workspace& work, uint64_t* rays) {
   return views;
 }
 
-LeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& phase,
-                               const std::vector<float>& exposed) {
+LeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& phase) {
   std::vector<uint32_t> all_cells(work.grid.cell_count());
   std::iota(all_cells.begin(), all_cells.end(), 0u);
   const std::vector<Node>& nodes = work.tree.nodes();
@@ -83,7 +84,6 @@ LeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& phase,
     for (size_t n = begin; n < end; ++n) {
       if (nodes[n].first_child != kNone) continue;
       direct[n] = phase.mean_irradiance(nodes[n].element, all_cells);
-      for (Rgb& e : direct[n]) e = (1 / exposed[n]) * e;
     }
   });
   return direct;

@@ -28,13 +28,11 @@ struct Workspace {
 // What each leaf sees, at the middle of the animation.
 struct Views {
   std::vector<float> row_sums, column_sums;  // see balance()
-  std::vector<float> exposed;                // share of the leaf that nothing covers
 };
 Views views_of(const Workspace& work, uint64_t* rays);
 
-// Direct irradiance of the exposed part of the leaves, W / m^2.
-LeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& phase,
-                               const std::vector<float>& exposed);
+// Mean direct irradiance of the leaves, W / m^2.
+LeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& phase);
 
 // Radiance reflected by the leaves, W / (sr m^2), along links; `input.direct` by the dates of the grid.
 TransportResult propagate_all(const TransportInput& input, LeafFunctions* radiance);

@@ -183,7 +183,7 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
   }
 
   report(0.5, "propagation");
-  LeafFunctions leaf_direct = direct_of_leaves(work, direct, views.exposed);
+  LeafFunctions leaf_direct = direct_of_leaves(work, direct);
   slab.direct = direct.surpluses(tolerance);
   malloc_trim(0);  // many small functions were freed: give their pages back before the leaves take theirs
   input.direct = &leaf_direct;
