@@ -11,14 +11,19 @@
 namespace strad {
 namespace {
 
-void override_emission(Scene* scene, const MaterialLight& light, const std::string& name) {
-  bool found = false;
-  for (Material& material : scene->materials) {
-    if (fnmatch(light.pattern.c_str(), material.name.c_str(), 0) != 0) continue;
-    material.emission = light.radiance;
-    found = true;
+bool means(const MaterialLight& light, const std::string& material) {
+  return fnmatch(light.pattern.c_str(), material.c_str(), 0) == 0;
+}
+
+// Each light must mean a material.
+void override_emissions(Scene* scene, const ImportOptions& options, const std::string& name) {
+  for (const MaterialLight& light : options.lights) {
+    const auto meant = [&](const Material& material) { return means(light, material.name); };
+    if (std::none_of(scene->materials.begin(), scene->materials.end(), meant))
+      throw BadInput(name + ": no material in use matches the light " + in_quotes(light.pattern));
   }
-  if (!found) throw BadInput(name + ": no material in use matches the light " + in_quotes(light.pattern));
+  for (Material& material : scene->materials)
+    material.emission = overridden_emission(material.emission, material.name, options);
 }
 
 // y up, in metres.
@@ -121,9 +126,15 @@ Rgb limited_reflectance(Rgb reflectance, const std::string& file, uint32_t line,
   return reflectance;
 }
 
+Rgb overridden_emission(Rgb emission, const std::string& name, const ImportOptions& options) {
+  for (const MaterialLight& light : options.lights)
+    if (means(light, name)) emission = light.radiance;
+  return emission;
+}
+
 Scene finish_import(Scene scene, const ImportOptions& options, const std::string& name) {
   if (scene.polygons.empty()) throw BadInput(name + ": has no polygons");
-  for (const MaterialLight& light : options.lights) override_emission(&scene, light, name);
+  override_emissions(&scene, options, name);
   drop_unused_points(&scene);
   turn_scene(&scene, {options.scale, options.up == 'z'});
   validate(scene);

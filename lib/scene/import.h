@@ -43,6 +43,9 @@ constexpr float kMaxReflectance = 0.98f;
 // `reflectance` lowered to kMaxReflectance, which is reported. Throws BadInput beyond 0..1.
 Rgb limited_reflectance(Rgb reflectance, const std::string& file, uint32_t line, ImportReport* report);
 
+// What the material `name` emits: as the last light of `options` that means it says, else `emission`.
+Rgb overridden_emission(Rgb emission, const std::string& name, const ImportOptions& options);
+
 // The last steps of an import: lights, scale and upward axis (of spots and cameras too), vertices and texture
 // coordinates that nothing uses dropped, all checked. `name` is the file's in errors. Throws BadInput.
 Scene finish_import(Scene scene, const ImportOptions& options, const std::string& name);

@@ -74,10 +74,14 @@ uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& o
   const std::string name = named ? surface.name : object_name;
   material.reflectance =
       limited_reflectance(surface.reflectance, surface.place.file, surface.place.line, report_);
-  material.emission = surface.emission;
-  if (!is_finite(material.emission) ||
-      std::min({material.emission.r, material.emission.g, material.emission.b}) < 0)
-    fail_at(surface.place.file, surface.place.line, "the emission of a texture is negative");
+  material.emission = overridden_emission(surface.emission, name, options_);
+  if (!is_finite(material.emission))
+    fail_at(surface.place.file, surface.place.line, "an emission is not finite");
+  for (int c = 0; c < 3; ++c) {
+    if (material.emission[c] >= 0) continue;
+    report_->add("negative emission is taken as 0", surface.place.file, surface.place.line);
+    material.emission[c] = 0;
+  }
   if (surface.image) material.texture = texture_of(*surface.image, surface.place);
   const Rgb r = material.reflectance, e = material.emission;
   const auto [found, is_new] = materials_.insert({{name, r.r, r.g, r.b, e.r, e.g, e.b, material.texture},

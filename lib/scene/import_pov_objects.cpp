@@ -133,6 +133,8 @@ PovObject PovSceneReader::object(std::string* name) {
     std::string declared;
     if (auto known = named<std::shared_ptr<const PovObject>>(&declared)) {
       made = **known;
+      for (PovLight& light : made.lights)
+        if (light.name.empty()) light.name = declared;
     } else {
       made = shape(kind, &declared);
     }
