@@ -30,7 +30,10 @@ void IndirectPhase::evaluate(const std::vector<uint32_t>& vertices) {
   fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
   std::vector<uint64_t> rays(fresh.size(), 0);
   parallel_for(fresh.size(), 4, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) functions_[fresh[i]] = gather_.at_vertex(fresh[i], &rays[i]);
+    for (size_t i = begin; i < end; ++i) {
+      GatheredFunction f = gather_.at_vertex(fresh[i], &rays[i]);
+      functions_[fresh[i]] = {PackedFunction(f.irradiance), std::move(f.open)};
+    }
   });
   rays_ += std::accumulate(rays.begin(), rays.end(), uint64_t{0});
   evaluated_ += fresh.size();
@@ -43,9 +46,8 @@ std::vector<Rgb> IndirectPhase::parents_mean(uint32_t vertex) const {
   for (int p = 0; p < count; ++p) {
     // A parent without a function of its own (it hangs, or belongs to direct light alone) is the mean of its
     // own.
-    const std::vector<Rgb>& own = values(v.parents[p]);
-    const std::vector<Rgb> inherited = own.empty() ? parents_mean(v.parents[p]) : std::vector<Rgb>{};
-    const std::vector<Rgb>& of_parent = own.empty() ? inherited : own;
+    const PackedFunction& own = functions_[v.parents[p]].irradiance;
+    const std::vector<Rgb> of_parent = own.empty() ? parents_mean(v.parents[p]) : own.unpacked();
     for (size_t i = 0; i < mean.size(); ++i) mean[i] += (1.0f / static_cast<float>(count)) * of_parent[i];
   }
   return mean;
@@ -90,7 +92,7 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
   const int count = builder_.middles(element, middles);
   for (int m = 0; m < count; ++m) {
     const std::vector<Rgb> foretold = parents_mean(middles[m]);
-    const GatheredFunction& own = functions_[middles[m]];
+    const VertexFunction& own = functions_[middles[m]];
     for (size_t i = 0; i < foretold.size(); ++i) {
       float open = open_at(middles[m], i);
       for (int p = 0; p < parent_count(mesh.vertices[middles[m]]); ++p)
@@ -165,7 +167,7 @@ void IndirectPhase::fill_buried() {
     if (!functions_[v].open.empty()) blocked.push_back(v);
   constexpr int kRounds = 16;
   for (int round = 0; round < kRounds; ++round) {
-    std::vector<GatheredFunction> filled(blocked.size());
+    std::vector<VertexFunction> filled(blocked.size());
     parallel_for(blocked.size(), 8, [&](size_t begin, size_t end) {
       for (size_t b = begin; b < end; ++b) filled[b] = filled_from(blocked[b], neighbours[blocked[b]]);
     });
@@ -173,11 +175,13 @@ void IndirectPhase::fill_buried() {
   }
 }
 
-GatheredFunction IndirectPhase::filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const {
+IndirectPhase::VertexFunction IndirectPhase::filled_from(uint32_t vertex,
+                                                         const std::vector<uint32_t>& neighbours) const {
   constexpr float kTrusted = 0.6f;  // from here on a view speaks for itself
-  GatheredFunction f = functions_[vertex];
-  for (size_t i = 0; i < f.irradiance.size(); ++i) {
-    const float open = f.open[i];
+  std::vector<Rgb> irradiance = functions_[vertex].irradiance.unpacked();
+  std::vector<float> opens = functions_[vertex].open;
+  for (size_t i = 0; i < irradiance.size(); ++i) {
+    const float open = opens[i];
     if (open >= kTrusted) continue;
     Rgb sum;
     float weight = 0;
@@ -189,10 +193,10 @@ GatheredFunction IndirectPhase::filled_from(uint32_t vertex, const std::vector<u
     }
     if (!(weight > 0)) continue;
     const float own = std::clamp((open - 0.5f) / (kTrusted - 0.5f), 0.0f, 1.0f);
-    f.irradiance[i] = own * f.irradiance[i] + ((1 - own) / weight) * sum;
-    f.open[i] = kTrusted;
+    irradiance[i] = own * irradiance[i] + ((1 - own) / weight) * sum;
+    opens[i] = kTrusted;
   }
-  return f;
+  return {PackedFunction(irradiance), std::move(opens)};
 }
 
 Field IndirectPhase::surpluses(float tolerance) {
@@ -204,13 +208,14 @@ Field IndirectPhase::surpluses(float tolerance) {
   field.order = grid_.order;
   for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
     if (hanging[v]) functions_[v] = {};
-    const std::vector<Rgb>& own = values(v);
+    const PackedFunction& own = functions_[v].irradiance;
     if (own.empty()) {
-      if (parent_count(mesh.vertices[v]) == 0) functions_[v].irradiance.resize(grid_.node_count());
+      if (parent_count(mesh.vertices[v]) == 0)
+        functions_[v].irradiance = PackedFunction(std::vector<Rgb>(grid_.node_count()));
       field.first_piece.push_back(static_cast<uint32_t>(field.pieces.size()));
       continue;
     }
-    std::vector<Rgb> row = own;
+    std::vector<Rgb> row = own.unpacked();
     if (parent_count(mesh.vertices[v]) > 0) {
       const std::vector<Rgb> mean = parents_mean(v);
       for (size_t i = 0; i < row.size(); ++i) row[i] = row[i] - mean[i];

@@ -7,6 +7,7 @@
 #include "base/rgb.h"
 #include "solve/final_gather.h"
 #include "solve/mesh_builder.h"
+#include "solve/packed_function.h"
 #include "time/field.h"
 #include "time/time_grid.h"
 
@@ -33,16 +34,20 @@ class IndirectPhase {
   uint64_t evaluated() const { return evaluated_; }
 
  private:
+  // What FinalGather found, at half the memory.
+  struct VertexFunction {
+    PackedFunction irradiance;  // W / m^2, at every node of the grid; empty where none was wanted
+    std::vector<float> open;    // as in GatheredFunction
+  };
   void evaluate(const std::vector<uint32_t>& vertices);
   bool worth_splitting(uint32_t element) const;
   bool is_partly_buried(uint32_t element) const;
   void fill_buried();
-  GatheredFunction filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const;
+  VertexFunction filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const;
   float open_at(uint32_t vertex, size_t date) const {
     return functions_[vertex].open.empty() ? 1.0f : functions_[vertex].open[date];
   }
   std::vector<Rgb> parents_mean(uint32_t vertex) const;
-  const std::vector<Rgb>& values(uint32_t vertex) const { return functions_[vertex].irradiance; }
 
   const Scene& scene_;
   const TimeGrid& grid_;
@@ -50,8 +55,8 @@ class IndirectPhase {
   IndirectOptions options_;
   MeshBuilder& builder_;
   double total_area_ = 0;
-  std::vector<GatheredFunction> functions_;  // a vertex; empty where none was wanted
-  std::vector<uint32_t> visited_;            // elements whose corners have functions
+  std::vector<VertexFunction> functions_;  // a vertex; empty where none was wanted
+  std::vector<uint32_t> visited_;          // elements whose corners have functions
   uint64_t rays_ = 0, evaluated_ = 0;
 };
 

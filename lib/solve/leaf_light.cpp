@@ -29,7 +29,7 @@ double total_of(const NodeTree& tree, const LeafFunctions& radiance) {
 
 // One gather by rays over the radiance of all leaves, in place: chunk after chunk, so that a chunk already
 // sees the light of those before it and no second copy is held. Returns the rays traced.
-uint64_t bounce(const Workspace& work, const LeafFunctions& direct, LeafFunctions* radiance) {
+uint64_t bounce(const Workspace& work, const PackedLeafFunctions& direct, LeafFunctions* radiance) {
   constexpr size_t kChunk = 512;  // fixed: results must not depend on the number of threads
   const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, *radiance, kLeafRays);
   std::vector<uint64_t> rays(radiance->size(), 0);
@@ -75,15 +75,15 @@ Views views_of(const Workspace& work, uint64_t* rays) {
   return views;
 }
 
-LeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& phase) {
+PackedLeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& phase) {
   std::vector<uint32_t> all_cells(work.grid.cell_count());
   std::iota(all_cells.begin(), all_cells.end(), 0u);
   const std::vector<Node>& nodes = work.tree.nodes();
-  LeafFunctions direct(nodes.size());
+  PackedLeafFunctions direct(nodes.size());
   parallel_for(direct.size(), 8, [&](size_t begin, size_t end) {
     for (size_t n = begin; n < end; ++n) {
       if (nodes[n].first_child != kNone) continue;
-      direct[n] = phase.mean_irradiance(nodes[n].element, all_cells);
+      direct[n] = PackedFunction(phase.mean_irradiance(nodes[n].element, all_cells));
     }
   });
   return direct;
@@ -131,7 +131,7 @@ double mean_radiance(const NodeTree& tree, const LeafFunctions& radiance) {
   return area > 0 ? sum / area : 0;
 }
 
-uint64_t settle_by_rays(const Workspace& work, const LeafFunctions& direct, LeafFunctions* radiance) {
+uint64_t settle_by_rays(const Workspace& work, const PackedLeafFunctions& direct, LeafFunctions* radiance) {
   constexpr int kBounces = 2;
   uint64_t rays = 0;
   double totals[kBounces + 1] = {total_of(work.tree, *radiance)};

@@ -8,6 +8,7 @@
 #include "light/tracer.h"
 #include "solve/direct_phase.h"
 #include "solve/nodes.h"
+#include "solve/packed_function.h"
 #include "solve/swept.h"
 #include "solve/transport.h"
 #include "time/time_grid.h"
@@ -16,6 +17,7 @@ namespace strad {
 
 // A function of time of each node, at every node of the grid; empty for nodes that are no leaves.
 using LeafFunctions = std::vector<std::vector<Rgb>>;
+using PackedLeafFunctions = std::vector<PackedFunction>;
 
 // What the solve works on. All outlive the functions below.
 struct Workspace {
@@ -32,7 +34,7 @@ struct Views {
 Views views_of(const Workspace& work, uint64_t* rays);
 
 // Mean direct irradiance of the leaves, W / m^2.
-LeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& phase);
+PackedLeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& phase);
 
 // Radiance reflected by the leaves, W / (sr m^2), along links; `input.direct` by the dates of the grid.
 TransportResult propagate_all(const TransportInput& input, LeafFunctions* radiance);
@@ -43,6 +45,6 @@ double mean_radiance(const NodeTree& tree, const LeafFunctions& radiance);
 // Takes out what is left of the links' errors, which are sums of small ones of one sign: bounces by rays,
 // which are unbiased, shrink it by one factor each; the factor is seen from two bounces and the rest of the
 // geometric series added at once (Aitken's extrapolation). Returns the rays traced.
-uint64_t settle_by_rays(const Workspace& work, const LeafFunctions& direct, LeafFunctions* radiance);
+uint64_t settle_by_rays(const Workspace& work, const PackedLeafFunctions& direct, LeafFunctions* radiance);
 
 }  // namespace strad

@@ -170,7 +170,10 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
   Balance scales;
   Views views;
   LinkTable table;
-  TransportInput input{&grid, &tree, &table, &refinement.direct(), &scales, options.residual, 100};
+  TransportInput input{&grid,   &tree,
+                       &table,  [&](size_t n, size_t i) { return refinement.direct()[n][i]; },
+                       &scales, options.residual,
+                       100};
   for (const double looseness : {16.0, 4.0, 1.0}) {
     refine_options.threshold = looseness * options.error * expected / 8;
     refinement.refine(refine_options);
@@ -183,10 +186,10 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
   }
 
   report(0.5, "propagation");
-  LeafFunctions leaf_direct = direct_of_leaves(work, direct);
+  PackedLeafFunctions leaf_direct = direct_of_leaves(work, direct);
   slab.direct = direct.surpluses(tolerance);
   malloc_trim(0);  // many small functions were freed: give their pages back before the leaves take theirs
-  input.direct = &leaf_direct;
+  input.direct = [&](size_t n, size_t i) { return leaf_direct[n][i]; };
   LeafFunctions radiance;
   const TransportResult result = propagate_all(input, &radiance);
   out.iterations = result.iterations;

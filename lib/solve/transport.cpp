@@ -128,6 +128,10 @@ TransportResult propagate(const TransportInput& input, const std::vector<uint32_
   const std::vector<Node>& nodes = input.tree->nodes();
   const size_t count = dates.size(), width = 3 * count;
   const Gather gather(input, dates);
+  std::vector<Rgb> direct_at(nodes.size() * count);
+  for (size_t n = 0; n < nodes.size(); ++n)
+    if (nodes[n].first_child == kNone)
+      for (size_t j = 0; j < count; ++j) direct_at[n * count + j] = input.direct(n, first_column + j);
   std::vector<float> irradiance(nodes.size() * width);
   radiance->assign(nodes.size() * count, {});
   float* l = &radiance->data()->r;
@@ -141,13 +145,12 @@ TransportResult propagate(const TransportInput& input, const std::vector<uint32_
     double change = 0, total = 0;
     for (size_t n = 0; n < nodes.size(); ++n) {
       if (nodes[n].first_child != kNone) continue;
-      const Rgb* direct = (*input.direct)[n].data() + first_column;
       const float scale = input.balance->receiver[n], emitter_scale = input.balance->emitter[n];
       const Rgb brdf = (emitter_scale / static_cast<float>(kPi)) * nodes[n].reflectance;
       float moved = 0, sum = 0;
       for (size_t j = 0; j < count; ++j) {
         const float* e = irradiance.data() + n * width + 3 * j;
-        const Rgb now = brdf * (direct[j] + scale * Rgb{e[0], e[1], e[2]});
+        const Rgb now = brdf * (direct_at[n * count + j] + scale * Rgb{e[0], e[1], e[2]});
         Rgb& before = (*radiance)[n * count + j];
         moved += std::abs(now.r - before.r) + std::abs(now.g - before.g) + std::abs(now.b - before.b);
         sum += now.r + now.g + now.b;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "base/rgb.h"
@@ -56,7 +57,8 @@ struct TransportInput {
   const TimeGrid* grid = nullptr;
   const NodeTree* tree = nullptr;
   const LinkTable* links = nullptr;
-  const std::vector<std::vector<Rgb>>* direct = nullptr;  // [node][column]: W / m^2; leaves only are read
+  // Direct irradiance of a leaf at a column, W / m^2.
+  std::function<Rgb(size_t node, size_t column)> direct;
   const Balance* balance = nullptr;
   double residual = 1e-3;  // largest mean change of radiance, relative
   int max_iterations = 100;
