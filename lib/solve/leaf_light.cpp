@@ -90,7 +90,7 @@ PackedLeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& p
 }
 
 TransportResult propagate_all(const TransportInput& input, LeafFunctions* radiance) {
-  constexpr uint32_t kBlock = 48;  // dates: the working set of some thousand nodes stays in the cache
+  constexpr uint32_t kBlock = 24;  // dates: the working set of some thousand nodes stays in the cache
   const uint32_t dates = input.grid->node_count();
   const uint32_t blocks = (dates + kBlock - 1) / kBlock;
   const std::vector<Node>& nodes = input.tree->nodes();

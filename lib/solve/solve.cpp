@@ -192,6 +192,7 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
   input.direct = [&](size_t n, size_t i) { return leaf_direct[n][i]; };
   LeafFunctions radiance;
   const TransportResult result = propagate_all(input, &radiance);
+  malloc_trim(0);
   out.iterations = result.iterations;
   out.residual = result.residual;
   const double mean = mean_radiance(tree, radiance);
@@ -199,6 +200,8 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
   report(0.6, "bounces");
   out.indirect.rays += settle_by_rays(work, leaf_direct, &radiance);
   leaf_direct = {};
+  table = {};
+  malloc_trim(0);
 
   report(0.7, "final gather");
   const FinalGather gather(tree, tracer, grid, swept, radiance, kVertexRays);
