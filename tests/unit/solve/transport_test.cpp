@@ -37,12 +37,10 @@ struct Propagated {
 Propagated solve(const Workbench& bench, const std::vector<Link>& links, Rgb direct, const Balance& balance) {
   const auto count = static_cast<uint32_t>(bench.nodes->nodes().size());
   const LinkTable table = make_link_table(bench.grid, count, links);
-  std::vector<std::vector<Rgb>> light(count, std::vector<Rgb>(bench.grid.node_count()));
-  for (uint32_t n = 0; n < count; ++n)
-    if (bench.nodes->nodes()[n].face == 0) std::fill(light[n].begin(), light[n].end(), direct);
   TransportInput input;
   input.grid = &bench.grid, input.tree = bench.nodes.get(), input.links = &table;
-  input.direct = &light, input.balance = &balance;
+  input.balance = &balance;
+  input.direct = [&](size_t node, size_t) { return bench.nodes->nodes()[node].face == 0 ? direct : Rgb{}; };
   input.residual = 1e-6;
   std::vector<uint32_t> dates(bench.grid.node_count());
   std::iota(dates.begin(), dates.end(), 0u);
@@ -143,12 +141,11 @@ TEST(Transport, BalanceRestoresTheFurnace) {
   const auto worst = [&](const Balance& scales) {
     const auto count = static_cast<uint32_t>(bench.nodes->nodes().size());
     const LinkTable table = make_link_table(bench.grid, count, links);
-    // Each surface emits 1 and gathers pi of it directly: E = pi.
-    const std::vector<std::vector<Rgb>> light(
-        count, std::vector<Rgb>(bench.grid.node_count(), static_cast<float>(kPi) * Rgb{1, 1, 1}));
     TransportInput input;
     input.grid = &bench.grid, input.tree = bench.nodes.get(), input.links = &table;
-    input.direct = &light, input.balance = &scales;
+    input.balance = &scales;
+    // Each surface emits 1 and gathers pi of it directly: E = pi.
+    input.direct = [](size_t, size_t) { return static_cast<float>(kPi) * Rgb{1, 1, 1}; };
     input.residual = 1e-6;
     std::vector<Rgb> radiance;
     propagate(input, {0}, 0, &radiance);
