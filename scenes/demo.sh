@@ -27,6 +27,7 @@ run "strad-info $name.strad"
 
 section "Still pictures, and a movie straight down the pipe"
 run "strad-frame -f 1:600:120 -s 640x480 -o '$name.%04d.png' $name.strad"
+run "ffmpeg -y -loglevel error -pattern_type glob -i '$name.0*.png' -vf scale=300:-1,tile=5x1 -frames:v 1 sheet.png"
 run "strad-frame -f 1:600:2 -s 320x240 --exposure 1 $name.strad |
     ffmpeg -y -loglevel error -f image2pipe -c:v ppm -r 12.5 -i - -pix_fmt yuv420p $name.mp4"
 
