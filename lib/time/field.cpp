@@ -36,28 +36,37 @@ Rgb end_value(const Field& field, uint32_t piece, double s) {
   return combine(field, piece, weights);
 }
 
+// Raw value of a row at the beginning (s = 0) or end (s = 1) of a cell.
+Rgb cell_end_value(const Field& field, uint32_t row, uint32_t cell, double s) {
+  const uint32_t piece = piece_at(field, row, cell);
+  if (piece == kNoPiece) return {};
+  const Interval interval = field.pieces[piece];
+  double weights[kMaxOrder];
+  lagrange_weights(field.order, (cell + s - interval.cell) / interval.cell_count(), weights);
+  return combine(field, piece, weights);
+}
+
+// Half of the jumps at the two ends of a cell: what must be added there, fading within the cell, to make the
+// row continuous. The same for every row and every length of pieces, so that it is linear: a sum of corrected
+// rows is the corrected sum, and surpluses whose jumps cancel stay cancelled.
 struct Ends {
   Rgb begin, end;
 };
-
-// What must be added at the two ends of a piece to make the row continuous.
-Ends corrections(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t piece) {
-  const Interval interval = field.pieces[piece];
-  const Span& span = grid.spans[span_of_cell(grid, interval.cell)];
-  const uint32_t after = interval.cell + interval.cell_count();
+Ends corrections(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t cell) {
+  const Span& span = grid.spans[span_of_cell(grid, cell)];
+  const auto jump = [&](uint32_t c) -> Rgb {  // at the beginning of cell c
+    const uint32_t before = piece_at(field, row, c - 1), after = piece_at(field, row, c);
+    if (before == after) return {};
+    return cell_end_value(field, row, c, 0) - cell_end_value(field, row, c - 1, 1);
+  };
   Ends ends;
-  if (interval.cell > span.first_cell) {
-    const uint32_t neighbour = piece_at(field, row, interval.cell - 1);
-    const float share = neighbour == kNoPiece ? 1.0f : 0.5f;
-    ends.begin = share * (end_value(field, neighbour, 1) - end_value(field, piece, 0));
-  }
-  if (after < span.first_cell + (1u << span.log2_cells)) {
-    const uint32_t neighbour = piece_at(field, row, after);
-    const float share = neighbour == kNoPiece ? 1.0f : 0.5f;
-    ends.end = share * (end_value(field, neighbour, 0) - end_value(field, piece, 1));
-  }
+  if (cell > span.first_cell) ends.begin = -0.5f * jump(cell);
+  if (cell + 1 < span.first_cell + (1u << span.log2_cells)) ends.end = 0.5f * jump(cell + 1);
   return ends;
 }
+
+double fade(double s) { return (1 - s) * (1 - s); }
+double fade_integral(double s) { return (1 - (1 - s) * (1 - s) * (1 - s)) / 3; }
 
 double local_of(const TimeGrid& grid, Interval interval, double time) {
   const double begin = interval_begin(grid, interval), end = interval_end(grid, interval);
@@ -67,15 +76,18 @@ double local_of(const TimeGrid& grid, Interval interval, double time) {
 }  // namespace
 
 Rgb value_at(const TimeGrid& grid, const Field& field, uint32_t row, double time, bool continuous) {
-  const uint32_t piece = piece_at(field, row, cell_at(grid, time));
-  if (piece == kNoPiece) return {};
-  const double s = local_of(grid, field.pieces[piece], time);
-  double weights[kMaxOrder];
-  lagrange_weights(field.order, s, weights);
-  Rgb value = combine(field, piece, weights);
+  const uint32_t cell = cell_at(grid, time);
+  const uint32_t piece = piece_at(field, row, cell);
+  Rgb value;
+  if (piece != kNoPiece) {
+    double weights[kMaxOrder];
+    lagrange_weights(field.order, local_of(grid, field.pieces[piece], time), weights);
+    value = combine(field, piece, weights);
+  }
   if (continuous) {
-    const Ends ends = corrections(grid, field, row, piece);
-    value += static_cast<float>(1 - s) * ends.begin + static_cast<float>(s) * ends.end;
+    const Ends ends = corrections(grid, field, row, cell);
+    const double s = local_of(grid, {cell, 0}, time);
+    value += static_cast<float>(fade(s)) * ends.begin + static_cast<float>(fade(1 - s)) * ends.end;
   }
   return value;
 }
@@ -84,22 +96,27 @@ Rgb mean_over(const TimeGrid& grid, const Field& field, uint32_t row, double beg
               bool continuous) {
   if (!(end > begin)) return value_at(grid, field, row, begin, continuous);
   Rgb sum;
-  for (uint32_t p = field.first_piece[row]; p < field.first_piece[row + 1]; ++p) {
-    const Interval interval = field.pieces[p];
+  const auto add = [&](Interval interval, auto mean_of) {
     const double from = std::max(begin, interval_begin(grid, interval));
     const double to = std::min(end, interval_end(grid, interval));
-    if (!(to > from)) continue;
+    if (!(to > from)) return;
     const double s0 = local_of(grid, interval, from), s1 = local_of(grid, interval, to);
-    double weights[kMaxOrder];
-    lagrange_means(field.order, s0, s1, weights);
-    Rgb mean = combine(field, p, weights);
-    if (continuous) {
-      const Ends ends = corrections(grid, field, row, p);
-      const double s = 0.5 * (s0 + s1);
-      mean += static_cast<float>(1 - s) * ends.begin + static_cast<float>(s) * ends.end;
-    }
-    sum += static_cast<float>((to - from) / (end - begin)) * mean;
-  }
+    sum += static_cast<float>((to - from) / (end - begin)) * mean_of(s0, s1);
+  };
+  for (uint32_t p = field.first_piece[row]; p < field.first_piece[row + 1]; ++p)
+    add(field.pieces[p], [&](double s0, double s1) {
+      double weights[kMaxOrder];
+      lagrange_means(field.order, s0, s1, weights);
+      return combine(field, p, weights);
+    });
+  if (!continuous) return sum;
+  for (uint32_t cell = cell_at(grid, begin); cell <= cell_at(grid, end); ++cell)
+    add({cell, 0}, [&](double s0, double s1) {
+      const Ends ends = corrections(grid, field, row, cell);
+      const double of_begin = (fade_integral(s1) - fade_integral(s0)) / (s1 - s0);
+      const double of_end = (fade_integral(1 - s0) - fade_integral(1 - s1)) / (s1 - s0);
+      return static_cast<float>(of_begin) * ends.begin + static_cast<float>(of_end) * ends.end;
+    });
   return sum;
 }
 

@@ -28,10 +28,10 @@ struct Field {
 
 // The value at `time`, of the later piece at a boundary.
 //
-// With `continuous`, the two one-sided values at a boundary of two pieces inside a span are both replaced by
-// their mean (by zero where the neighbour is a gap), by adding to each piece the linear function that does so
-// (the paper asks for continuity across interval boundaries). Steps, the boundaries of spans, stay sharp. It needs the pieces that touch the piece
-// at `time`: those of the cell before its first and of the cell after its last.
+// With `continuous`, half of the jump between two cells inside a span is added on either side, fading within
+// the cell, so that both sides meet at their mean (the paper asks for continuity across interval boundaries).
+// It is linear: surpluses whose jumps cancel stay cancelled. Steps, the boundaries of spans, stay sharp. It
+// needs the pieces of the cells before and after that of `time`.
 Rgb value_at(const TimeGrid& grid, const Field& field, uint32_t row, double time, bool continuous);
 
 // The mean over [begin, end], in closed form.

@@ -73,6 +73,21 @@ TEST_P(FieldOfOrder, TimesOutsideHoldTheEnds) {
   EXPECT_EQ(at(25, true), at(20, true));
 }
 
+// Surpluses of parents and children jump where their sum does not; what is added for continuity must cancel
+// like the jumps, however long the pieces are, and must not reach farther than a cell.
+TEST_P(FieldOfOrder, CorrectionsCancelLikeJumps) {
+  const TimeGrid even = make_time_grid(0, 16, {}, GetParam(), 16 * GetParam());
+  const auto early = [](double t) { return t < 8 ? 1.0 : 0.0; };
+  const auto late = [](double t) { return t < 8 ? 0.0 : t < 10 ? 1.0 : 1.3; };
+  const Field a = field_of(even, early, 1e-3f), b = field_of(even, late, 1e-3f);
+  for (double t = 0.05; t < 16; t += 0.1) {
+    const double sum = value_at(even, a, 0, t, true).r + value_at(even, b, 0, t, true).r;
+    if (std::abs(t - 10) > 1) {
+      EXPECT_NEAR(sum, t < 10 ? 1 : 1.3, 1e-5) << t;
+    }
+  }
+}
+
 // Beside a gap, too, where the function is zero.
 TEST_P(FieldOfOrder, MeetsAGap) {
   const TimeGrid even = make_time_grid(0, 16, {}, GetParam(), 16 * GetParam());
