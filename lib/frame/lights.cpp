@@ -22,6 +22,9 @@ Emitter emitter_at(const Scene& scene, uint32_t p, const std::vector<Pose>& worl
   }
   emitter.normal = rotate(pose, polygon_normal(scene, polygon));
   emitter.area = polygon_area(scene, polygon);
+  const auto& c = emitter.corners;
+  const double skew = length((c[0] - c[1]) + (c[2] - c[3]));
+  emitter.parallelogram = emitter.count == 4 && skew <= 1e-9 * length(c[2] - c[0]);
   return emitter;
 }
 
@@ -29,9 +32,10 @@ Emitter emitter_at(const Scene& scene, uint32_t p, const std::vector<Pose>& worl
 // density that is left over on other quads: area of the image of a small square, over the mean one.
 Vec3 point_on(const Emitter& emitter, double u, double v, double* stretch) {
   const auto& c = emitter.corners;
+  *stretch = 1;
+  if (emitter.parallelogram) return c[0] + u * (c[1] - c[0]) + v * (c[3] - c[0]);
   if (emitter.count == 3) {
     const double root = std::sqrt(u);  // Turk 1990
-    *stretch = 1;
     return (1 - root) * c[0] + root * (1 - v) * c[1] + root * v * c[2];
   }
   const Vec3 along_u = lerp(c[1] - c[0], c[2] - c[3], v), along_v = lerp(c[3] - c[0], c[2] - c[1], u);
@@ -106,8 +110,9 @@ void add_shadow_rays(const Tracer& tracer, const LitInstant& lit, const std::vec
                      Shadow* shadow) {
   if (!(view.irradiance > 0)) return;
   const Vec3 lifted = point.position + tracer.offset() * point.normal;
+  const uint64_t scramble = hash_of(emitters.front().polygon);
   for (uint32_t i = first; i < first + count; ++i) {
-    const Point2 at = sobol_point(i, hash_of(emitters.front().polygon));
+    const Point2 at = sobol_point(i, scramble);
     // An emitter in proportion to what it would bring; the place within its share is uniform again.
     const double target = at.u * view.irradiance;
     const auto chosen = std::upper_bound(view.up_to.begin(), view.up_to.end() - 1, target);

@@ -24,6 +24,7 @@ struct Emitter {
   int count = 3;
   Vec3 normal;
   double area = 0;
+  bool parallelogram = false;
   uint32_t polygon = kNone;
 };
 

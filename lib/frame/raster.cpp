@@ -9,7 +9,8 @@
 namespace strad {
 namespace {
 
-constexpr uint32_t kTileSide = 32;  // pixels: small enough to share out a small frame
+constexpr uint32_t kTileSide =
+    48;  // pixels: small enough to share out a small frame, large beside its margin
 constexpr int kShutterInstants =
     64;  // poses over an open shutter: more than a pixel's samples, so no steps show
 

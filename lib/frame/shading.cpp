@@ -40,6 +40,7 @@ Sample take_sample(const FrameView& view, size_t instant, double x, double y, Sh
   for (size_t l = 0; l < view.area_light_count; ++l) {
     if (is_black(lit.radiance[l])) continue;
     look_at(lit.emitters[l], sight.point, &area);
+    shares[l].irradiance = area.irradiance;
     shares[l].radiance = static_cast<float>(area.irradiance) * reflected(sight, lit.radiance[l]);
     add_shadow_rays(view.tracer, lit, lit.emitters[l], sight.point, area, points.first, points.count,
                     &shares[l].shadow);
@@ -51,7 +52,11 @@ void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample
                      ShadowPoints points, AreaShare* share) {
   const LitInstant& lit = view.instants[instant];
   thread_local AreaView area;
-  look_at(lit.emitters[light], sample.point, &area);
+  if (lit.emitters[light].size() == 1) {
+    area = {share->irradiance, {share->irradiance}};
+  } else {
+    look_at(lit.emitters[light], sample.point, &area);
+  }
   add_shadow_rays(view.tracer, lit, lit.emitters[light], sample.point, area, points.first, points.count,
                   &share->shadow);
 }

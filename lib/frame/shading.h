@@ -25,8 +25,9 @@ struct FrameView {
 
 // Area light on its way to a sample, before what stands between is taken off.
 struct AreaShare {
-  Rgb radiance;   // what it would add to the sample's
-  Shadow shadow;  // what the rays so far say
+  Rgb radiance;           // what it would add to the sample's
+  double irradiance = 0;  // of an AreaView
+  Shadow shadow;          // what the rays so far say
 };
 
 struct Sample {

@@ -3,14 +3,11 @@
 
 #include <cstdint>
 
+#include "frame/corners.h"
 #include "frame/shading.h"
 #include "image/image.h"
 
 namespace strad {
-
-struct TileRect {
-  uint32_t left, top, right, bottom;  // pixels, right and bottom beyond the last
-};
 
 // Renders the pixels of `rect`, each as it would come out in any other rectangle.
 //

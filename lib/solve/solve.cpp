@@ -9,6 +9,7 @@
 #include <ctime>
 
 #include "base/error.h"
+#include "image/srgb.h"
 #include "solve/direct_phase.h"
 #include "solve/final_gather.h"
 #include "solve/indirect_phase.h"
@@ -42,6 +43,25 @@ std::vector<uint32_t> strided_dates(uint32_t count, uint32_t wanted) {
   const uint32_t n = std::min(count, wanted);
   for (uint32_t i = 0; i < n; ++i) dates.push_back(static_cast<uint32_t>((i + 0.5) * count / n));
   return dates;
+}
+
+Rgb mean_of(const Texture& texture) {
+  double sum[3] = {0, 0, 0};
+  for (size_t i = 0; i < texture.srgb.size(); ++i) sum[i % 3] += linear_from_byte(texture.srgb[i]);
+  const double texels = std::max(1.0, static_cast<double>(texture.srgb.size() / 3));
+  return {static_cast<float>(sum[0] / texels), static_cast<float>(sum[1] / texels),
+          static_cast<float>(sum[2] / texels)};
+}
+
+// The scene with the mean of each texture in its material's reflectance: what light transport sees.
+Scene without_textures(Scene scene) {
+  for (Material& material : scene.materials) {
+    if (material.texture == kNone) continue;
+    material.reflectance = material.reflectance * mean_of(scene.textures[material.texture]);
+    material.texture = kNone;
+  }
+  scene.textures.clear();
+  return scene;
 }
 
 // Seconds since it was made.
@@ -134,6 +154,7 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
     if (progress) progress(done, what);
   };
   check(scene, options);
+  if (!scene.textures.empty()) return solve(without_textures(scene), options, stats, progress);
   const Stopwatch all;
   report(0, "direct light");
   Slab slab;

@@ -23,7 +23,6 @@ printf 'newmtl grey\nKd 0.5 0.5 0.5\nnewmtl lamp\nKd 0 0 0\nKe 1 2 3\n' >room.mt
 printf 'time 1 2\nrate 10\nglow lamp\n  key 1 value 1\n  key 2 value 3\n' >room.motion
 strad-import room.obj | strad-motion room.motion | strad-solve -e 0.05 >room.strad
 
-name=$(strad-info room.strad | grep -o 'low.*floor' | head -1)
 printf '# points\n2 2 1.9\n\n0.5,0.5,0 0 0 1\n' >points
 strad-probe --at 2,2,0 --points points -n 3 room.strad >table
 [ "$(head -1 table)" = "$(printf 'time\tpoint\tobject\tr\tg\tb\ter\teg\teb')" ]

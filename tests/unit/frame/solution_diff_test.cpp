@@ -80,8 +80,8 @@ TEST(SolutionDiff, TheWorstDateIsNamed) {
 TEST(SolutionDiff, AnInstantIsComparedAtItsTime) {
   const Scene scene = square();
   const Solution a{{two_halves(1, 3)}};
-  // The pieces 1 and 3 meet in 2 at 2 s, so the later one is 3 - (4 - t) / 2, at 3 s 2.5.
-  Slab instant = two_halves(2.5f, 2.5f);
+  // The pieces 1 and 3 meet in 2 at 2 s; the correction fades within the cell of 1 s, so at 3 s there are 3.
+  Slab instant = two_halves(3, 3);
   instant.grid = instant_grid(3);
   for (Field* field : {&instant.direct, &instant.indirect})
     for (Interval& piece : field->pieces) piece = {0, 0};

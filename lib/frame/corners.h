@@ -1,0 +1,63 @@
+// Samples at the corners of pixels, which neighbouring pixels share, and what they tell about a pixel.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "frame/shading.h"
+
+namespace strad {
+
+struct TileRect {
+  uint32_t left, top, right, bottom;  // pixels, right and bottom beyond the last
+};
+
+// Shadow rays of a corner to each area light where it or its neighbours disagree: 256 with those of the
+// corners around a pixel.
+constexpr uint32_t kPenumbraRays = 16;
+
+// Which of 16 sets of kPenumbraRays points on the lights a corner uses: the 4 x 4 corners around a pixel use
+// all.
+uint32_t interleaved_set(int x, int y);
+
+// Corner (x, y) is the upper left one of pixel (x, y).
+class Corners {
+ public:
+  // Of all pixels of `rect` and as far around them as their shadows ask for, at the first instant.
+  Corners(const FrameView& view, TileRect rect);
+
+  const Sample& sample(int x, int y) const { return corners_[index(x, y)].sample; }
+  const AreaShare* shares(int x, int y) const { return shares_.data() + index(x, y) * lights_; }
+
+  // Of pixel (x, y): do its corners see one smooth surface under the same spots?
+  bool surround_one_surface(int x, int y) const;
+  // Does a shadow of an area light begin and end within it?
+  bool shadow_edge(int x, int y) const;
+  // What area lights bring to it, the mean of its corners.
+  Rgb area_light(int x, int y) const;
+
+ private:
+  struct Corner {
+    Sample sample;
+    bool even = true;  // each area light is free, or each ray to it is blocked
+  };
+
+  size_t index(int x, int y) const {
+    return static_cast<size_t>(y - top_) * columns_ + static_cast<size_t>(x - left_);
+  }
+  AreaShare* shares(int x, int y) { return shares_.data() + index(x, y) * lights_; }
+  void take_samples();
+  void refine_shadows();
+  bool neighbours_agree(int x, int y, size_t light) const;
+  bool all_even_around(int x, int y) const;
+  float visible(int x, int y, size_t light) const;
+
+  const FrameView& view_;
+  const size_t lights_;
+  int left_, top_, right_, bottom_;  // right and bottom beyond the last
+  size_t columns_;
+  std::vector<Corner> corners_;
+  std::vector<AreaShare> shares_;  // lights_ a corner
+};
+
+}  // namespace strad
