@@ -5,7 +5,9 @@ function begin_object(name) { print "o " name }
 
 function material(name) { if (name != current) print "usemtl " name; current = name }
 
-function vertex(x, y, z) { printf "v %.4f %.4f %.4f\n", x, y, z; return ++vertices }
+BEGIN { vertex_format = "v %.4f %.4f %.4f\n" }  # a scene with small parts sets a finer one
+
+function vertex(x, y, z) { printf vertex_format, x, y, z; return ++vertices }
 
 function quad(a, b, c, d) { print "f " a " " b " " c " " d; ++used }
 
