@@ -1,0 +1,31 @@
+# The room that the models stand in: plinths, a table, a turntable, a lamp under the ceiling.
+
+BEGIN {
+  pi = atan2(0, -1)
+  print "mtllib " library
+  begin_object("room")
+  material("floor")
+  sheet("0 0 0 8 0 0 8 6 0 0 6 0")
+  material("ceiling")
+  sheet("0 0 3.2 0 6 3.2 8 6 3.2 8 0 3.2")
+  material("wall")
+  sheet("0 0 0 0 0 3.2 8 0 3.2 8 0 0"); sheet("8 6 0 8 6 3.2 0 6 3.2 0 6 0")
+  material("red")
+  sheet("8 0 0 8 0 3.2 8 6 3.2 8 6 0")
+  material("blue")
+  sheet("0 6 0 0 6 3.2 0 0 3.2 0 0 0")
+  begin_object("lamp")
+  material("steel")
+  box(4, 3, 3.05, 1.7, 1.1, 0.1, 0, 1)
+  material("lamp")
+  sheet("3.2 2.5 3.048 3.2 3.5 3.048 4.8 3.5 3.048 4.8 2.5 3.048")
+  begin_object("furniture")
+  material("wood")
+  box(5.9, 4.3, -0.002, 2, 1.6, 0.7, 0, 0)
+  box(7, 1, -0.002, 0.6, 0.6, 0.8, 0.4, 0)
+  box(0.9, 5.1, -0.002, 0.6, 0.6, 0.8, 0.2, 0)
+  material("steel")
+  prism(5.3, 1.7, -0.002, 0.5, 0.4, 24)
+  begin_object("turntable")
+  prism(5.3, 1.7, 0.402, 0.62, 0.03, 24)
+}
