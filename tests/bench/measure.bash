@@ -1,4 +1,4 @@
-# What tests/bench/bench.sh measures; it sets `here`, `work` and `errors`.
+# What the programs of tests/bench measure; they set `here` and `work`, bench.sh also `errors`.
 
 TIMEFORMAT='%U %S'
 
@@ -12,9 +12,24 @@ cpu() {
 # value NAME <TEXT: the value on the line `NAME value`.
 value() { awk -v name="$1" '$1 == name { print $2 }'; }
 
+# source_of SCENE: a scene of scenes/, or GENERATOR-N for one that scenes/GENERATOR/GENERATOR.sh makes of N polygons.
 source_of() {
   local folder=$here/../../scenes/$1
-  strad-import "$folder/$1.obj" | strad-motion "$folder/$1.motion"
+  if [[ $1 =~ ^(.*)-([0-9]+)$ ]]; then
+    folder=$work/$1
+    "$here/../../scenes/${BASH_REMATCH[1]}/${BASH_REMATCH[1]}.sh" "${BASH_REMATCH[2]}" "$folder"
+  fi
+  strad-import -q "$folder/$1.obj" | strad-motion -q "$folder/$1.motion"
+}
+
+# stat_of FILE GROUP NAME: a number of what strad-solve --stats wrote; GROUP is `all` for those outside of groups.
+stat_of() {
+  tr -d ' \n' <"$1" | awk -v group="$2" -v name="$3" '{
+    if (group == "all") gsub(/"[a-z_]*":[{][^}]*[}],?/, "")
+    else { sub(".*\"" group "\":[{]", ""); sub(/[}].*/, "") }
+    if (match($0, "\"" name "\":[^,}]*")) print substr($0, RSTART + length(name) + 3, RLENGTH - length(name) - 3) + 0
+    else print "-"
+  }'
 }
 
 # fact NAME: a number of strad-info that has this name.
@@ -117,18 +132,22 @@ error_against_itself() {
   done
 }
 
-continuity() {
-  local basis part start end time
+# jumps STREAM: in percent of the mean radiance at 1/4, 1/2 and 3/4 of the time, as solved; then as frames show it.
+jumps() {
+  local part start end
   start=$(fact 'start s')
   end=$(fact 'end s')
+  for part in 1 2 3; do
+    strad-diff --jump "$(awk -v a="$start" -v b="$end" -v part=$part 'BEGIN { printf "%.9g", a + (b - a) * part / 4 }')" "$1"
+  done | awk '{ value[$1] = value[$1] sprintf(" %9.4f", 100 * $2) } END { print value["jump"] value["jump_continuous"] }'
+}
+
+continuity() {
+  local basis
   echo "# jump in percent of the mean radiance at 1/4, 1/2 and 3/4 of the time: as solved, and as frames show it"
   printf '%-7s %9s %9s %9s %9s %9s %9s\n' basis 1/4 1/2 3/4 1/4 1/2 3/4
   for basis in m1 m2 m3; do
     strad-solve -q --basis $basis "$work/scene.strad" >"$work/basis.strad"
-    for part in 1 2 3; do
-      time=$(awk -v a="$start" -v b="$end" -v part=$part 'BEGIN { printf "%.9g", a + (b - a) * part / 4 }')
-      strad-diff --jump "$time" "$work/basis.strad"
-    done | awk -v basis=$basis '{ value[$1] = value[$1] sprintf(" %9.4f", 100 * $2) }
-      END { printf "%-7s%s%s\n", basis, value["jump"], value["jump_continuous"] }'
+    printf '%-7s%s\n' $basis "$(jumps "$work/basis.strad")"
   done
 }
