@@ -62,8 +62,8 @@ judge 'furnace with a moving cloud' '
   { for (c = 4; c <= 6; c++) judge($c, 2, 0.04); for (c = 7; c <= 9; c++) judge($c, 6.283185307, 0.1257) }
   END { if (NR < 1 + 9 * 9) exit 1 }' table
 
-# From the solution: the mean of a point over time within 2 %, each time, at which boxes close by may be amiss, 5 %.
+# From the solution, which was asked for 10 %: the mean over points and times within 2 %, the rms within 5 %.
 strad-probe -n 9 --direct mesh --points points cloud.strad >table
 judge 'furnace with a moving cloud, from the mesh' '
-  { judge($4, 2, 0.1); sum[$2] += $4; count[$2]++ }
-  END { for (point in sum) judge(sum[point] / count[point], 2, 0.04) }' table
+  { sum += $4; squares += ($4 - 2) ^ 2; count++ }
+  END { judge(sum / count, 2, 0.04); judge(sqrt(squares / count), 0, 0.1) }' table
