@@ -41,5 +41,6 @@ inline Pose inverse(const Pose& a) {
   return {r, -rotate(r, a.translation)};
 }
 inline Vec3 rotate(const Pose& a, Vec3 direction) { return rotate(a.rotation, direction); }
+inline Vec3 rotate_back(const Pose& a, Vec3 direction) { return rotate(conjugate(a.rotation), direction); }
 
 }  // namespace strad

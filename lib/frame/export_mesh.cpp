@@ -36,7 +36,8 @@ Rgb mean_colour(const Texture& texture) {
 }
 
 // What makes two corners one.
-using CornerKey = std::tuple<std::array<uint32_t, 4>, uint32_t, bool, bool, double, double>;
+using CornerKey =
+    std::tuple<std::array<uint32_t, 4>, double, double, double, uint32_t, bool, bool, double, double>;
 
 // The corners and triangles of one body as they are added.
 class BodyBuilder {
@@ -91,8 +92,9 @@ class BodyBuilder {
     if (lifted) corner.position += -lift_ * polygon_normal(scene_, polygon);
     const auto index = static_cast<uint32_t>(body_.corners.size());
     if (point.vertices[0] != kNone) {
-      const CornerKey key{point.vertices, corner.material, corner.textured,
-                          corner.emits,   corner.uv.x,     corner.uv.y};
+      const CornerKey key{point.vertices,   point.position.x, point.position.y,
+                          point.position.z, corner.material,  corner.textured,
+                          corner.emits,     corner.uv.x,      corner.uv.y};
       const auto [it, added] = index_of_.try_emplace(key, index);
       if (!added) return it->second;
     }
@@ -107,11 +109,18 @@ class BodyBuilder {
 };
 
 // Adds the leaves below `element`.
-void add_leaves(const Mesh& mesh, const ExportLeaves& leaves, uint32_t element, const Face& face, bool lifted,
-                BodyBuilder* body) {
+void add_leaves(const Scene& scene, const Mesh& mesh, const ExportLeaves& leaves, uint32_t element,
+                const Face& face, bool lifted, BodyBuilder* body) {
   const Element& e = mesh.elements[element];
+  if (is_uniform(e)) {
+    std::vector<LeafPoint> points;
+    const Polygon& polygon = scene.polygons[face.polygon];
+    for (int i = 0; i < polygon.corner_count(); ++i)
+      points.push_back({{e.vertices[0], kNone, kNone, kNone}, scene.vertices[polygon.corners[i]]});
+    return body->add_fan(face.polygon, face.side, lifted, points);
+  }
   if (!leaves.is_leaf(element)) {
-    for (uint32_t c = 0; c < 4; ++c) add_leaves(mesh, leaves, e.first_child + c, face, lifted, body);
+    for (uint32_t c = 0; c < 4; ++c) add_leaves(scene, mesh, leaves, e.first_child + c, face, lifted, body);
     return;
   }
   const int n = e.corner_count();
@@ -138,12 +147,12 @@ void add_polygon(const Scene& scene, const Mesh& mesh, const ExportLeaves& leave
   const uint32_t front = mesh.face_of_side[2 * polygon], back = mesh.face_of_side[2 * polygon + 1];
   const bool front_shows = front != kNone || back == kNone || emits(scene, scene.polygons[polygon]);
   if (front != kNone) {
-    add_leaves(mesh, leaves, mesh.faces[front].element, mesh.faces[front], false, body);
+    add_leaves(scene, mesh, leaves, mesh.faces[front].element, mesh.faces[front], false, body);
   } else if (front_shows) {
     add_dark(scene, polygon, body);
   }
   if (back != kNone) {
-    add_leaves(mesh, leaves, mesh.faces[back].element, mesh.faces[back], front_shows, body);
+    add_leaves(scene, mesh, leaves, mesh.faces[back].element, mesh.faces[back], front_shows, body);
   }
 }
 

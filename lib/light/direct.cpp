@@ -21,10 +21,14 @@ int clip_to_horizon(Vec3 point, Vec3 normal, const Vec3* corners, int count, Vec
   return kept;
 }
 
+// With more emitters than this above the horizon, those that give less than their share of all are faint.
+constexpr int kFew = 48;
+
 struct EmitterAtInstant {
   std::array<Vec3, 4> corners;
-  int count;
-  Vec3 normal;
+  int count = 0;
+  Vec3 normal, centre;
+  double area = 0;
 };
 
 EmitterAtInstant emitter_at(const Scene& scene, const Polygon& polygon, const Instant& instant) {
@@ -32,7 +36,11 @@ EmitterAtInstant emitter_at(const Scene& scene, const Polygon& polygon, const In
   e.count = polygon.corner_count();
   const Pose& pose = instant.world_from_body[body_of(scene, polygon)];
   for (int c = 0; c < e.count; ++c) e.corners[c] = pose * scene.vertices[polygon.corners[c]];
-  e.normal = normalized(cross(e.corners[1] - e.corners[0], e.corners[2] - e.corners[0]));
+  const Vec3 doubled = e.count == 4 ? cross(e.corners[2] - e.corners[0], e.corners[3] - e.corners[1])
+                                    : cross(e.corners[1] - e.corners[0], e.corners[2] - e.corners[0]);
+  e.area = length(doubled) / 2;
+  e.normal = normalized(doubled);
+  for (int c = 0; c < e.count; ++c) e.centre += e.corners[c] / e.count;
   return e;
 }
 
@@ -41,6 +49,18 @@ Vec3 point_on(const EmitterAtInstant& e, double u, double v) {
   if (e.count == 4) return lerp(lerp(e.corners[0], e.corners[1], u), lerp(e.corners[3], e.corners[2], u), v);
   const double root = std::sqrt(u);  // uniform by area (Turk 1990)
   return (1 - root) * e.corners[0] + root * (1 - v) * e.corners[1] + root * v * e.corners[2];
+}
+
+// The point at (u, v) of an emitter as one of unit weight for all its area.
+EmitterSample sample_at(const EmitterAtInstant& e, const SurfacePoint& point, double offset, double u,
+                        double v) {
+  const Vec3 y = point_on(e, u, v), to = y - point.position;
+  const double cos_receiver = dot(to, point.normal), cos_emitter = -dot(to, e.normal);
+  if (!(cos_receiver > 0) || !(cos_emitter > 0)) return {};
+  const double distance2 = length2(to);
+  return {y + offset * e.normal,
+          static_cast<float>(cos_receiver * cos_emitter * e.area / (distance2 * (distance2 + e.area / kPi))),
+          0};
 }
 
 }  // namespace
@@ -79,13 +99,16 @@ double spot_falloff(const Spot& spot, double cos_theta) {
 }
 
 DirectLight::DirectLight(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer_(tracer) {
-  for (uint32_t p = 0; p < scene.polygons.size(); ++p)
-    if (emits(scene, scene.polygons[p])) emitters_.push_back(p);
+  const std::vector<bool> moves = moving_bodies(scene);
+  for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
+    if (!emits(scene, scene.polygons[p])) continue;
+    emitters_.push_back(p);
+    (moves[body_of(scene, scene.polygons[p])] ? moving_ : still_).push_back(p);
+  }
+  for (const Spot& spot : scene.spots) cos_outer_.push_back(std::cos(spot.outer));
 }
 
-Rgb DirectLight::irradiance(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed,
-                            uint64_t* rays) const {
-  uint64_t traced = 0;
+Rgb DirectLight::spots(const Instant& instant, const SurfacePoint& point, uint64_t* rays) const {
   const Vec3 lifted = point.position + tracer_.offset() * point.normal;
   Rgb sum;
   for (size_t s = 0; s < scene_.spots.size(); ++s) {
@@ -95,39 +118,104 @@ Rgb DirectLight::irradiance(const Instant& instant, const SurfacePoint& point, i
     const double cos_receiver = dot(to_spot, point.normal);  // times the distance
     if (!(cos_receiver > 0)) continue;
     const double distance = std::sqrt(distance2);
-    const double falloff = spot_falloff(scene_.spots[s], -dot(to_spot, spot.direction) / distance);
+    const double cos_spot = -dot(to_spot, spot.direction) / distance;
+    if (!(cos_spot > cos_outer_[s])) continue;
+    const double falloff = spot_falloff(scene_.spots[s], cos_spot);
     if (!(falloff > 0)) continue;
-    ++traced;
+    ++*rays;
     if (tracer_.occluded(instant.world_from_body, lifted, spot.position)) continue;
     sum += static_cast<float>(falloff * cos_receiver / (distance2 * distance)) * spot.intensity;
   }
-  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(samples))));
-  for (const uint32_t p : emitters_) {
+  return sum;
+}
+
+std::vector<EmitterSample> DirectLight::emitter_samples(const Instant& instant, const SurfacePoint& point,
+                                                        int samples, uint64_t seed, Which which) const {
+  struct Candidate {
+    EmitterAtInstant shape;
+    uint32_t polygon;
+    double likely;  // W / m^2, roughly, unoccluded
+  };
+  std::vector<Candidate> candidates;
+  double total = 0;
+  for (const uint32_t p : which == Which::kAll ? emitters_ : which == Which::kStill ? still_ : moving_) {
     const Polygon& polygon = scene_.polygons[p];
-    const float glow = instant.glow[polygon.material];
-    if (p == point.polygon || glow == 0) continue;
+    if (p == point.polygon || instant.glow[polygon.material] == 0) continue;
     const EmitterAtInstant e = emitter_at(scene_, polygon, instant);
     if (!(dot(point.position - e.corners[0], e.normal) > 0)) continue;  // behind its front
-    const double unoccluded = unit_irradiance(point.position, point.normal, e.corners.data(), e.count);
-    if (!(unoccluded > 0)) continue;
-    double visible = 0, all = 0;
-    for (int i = 0; i < side * side; ++i) {
-      const uint64_t h = hash_of(seed, p, static_cast<uint64_t>(i));
-      const double u = (i % side + unit_from(h)) / side, v = (i / side + unit_from(mix64(h))) / side;
-      const Vec3 y = point_on(e, u, v);
-      const Vec3 to_y = y - point.position;
-      const double cos_receiver = dot(to_y, point.normal), cos_emitter = -dot(to_y, e.normal);
-      if (!(cos_receiver > 0) || !(cos_emitter > 0)) continue;
-      const double distance2 = length2(to_y);
-      const double weight = cos_receiver * cos_emitter / (distance2 * distance2);
-      all += weight;
-      ++traced;
-      if (!tracer_.occluded(instant.world_from_body, lifted, y + tracer_.offset() * e.normal))
-        visible += weight;
+    double highest = -1;
+    for (int i = 0; i < e.count; ++i)
+      highest = std::max(highest, dot(e.corners[i] - point.position, point.normal));
+    if (!(highest > 0)) continue;  // below the horizon
+    const Vec3 to = e.centre - point.position;
+    const double radius2 = length2(e.corners[0] - e.centre), distance2 = length2(to) + radius2;
+    const double cosines = (std::max(0.0, dot(to, point.normal)) + std::sqrt(radius2)) *
+                           (std::max(0.0, -dot(to, e.normal)) + std::sqrt(radius2)) / distance2;
+    const double likely = max_channel(scene_.materials[polygon.material].emission) *
+                          instant.glow[polygon.material] * std::min(1.0, cosines) * e.area / distance2;
+    candidates.push_back({e, p, likely});
+    total += likely;
+  }
+
+  std::vector<EmitterSample> chosen;
+  double faint = 0;
+  const double least = candidates.size() > kFew ? total / kFew : 0;
+  for (const Candidate& c : candidates) {
+    if (c.likely < least) {
+      faint += c.likely;
+      continue;
     }
-    if (all > 0)
-      sum +=
-          static_cast<float>(unoccluded * glow * visible / all) * scene_.materials[polygon.material].emission;
+    const double unoccluded =
+        unit_irradiance(point.position, point.normal, c.shape.corners.data(), c.shape.count);
+    if (!(unoccluded > 0)) continue;
+    const double most = std::sqrt(samples);
+    const int side =
+        std::max(1, static_cast<int>(std::lround(most * std::sqrt(std::min(1.0, 8 * c.likely / total)))));
+    const size_t first = chosen.size();
+    double all = 0;
+    for (int i = 0; i < side * side; ++i) {
+      const uint64_t h = hash_of(seed, c.polygon, static_cast<uint64_t>(i));
+      const double u = (i % side + unit_from(h)) / side, v = (i / side + unit_from(mix64(h))) / side;
+      const EmitterSample sample = sample_at(c.shape, point, tracer_.offset(), u, v);
+      if (!(sample.irradiance > 0)) continue;
+      chosen.push_back(sample);
+      all += sample.irradiance;
+    }
+    for (size_t i = first; i < chosen.size(); ++i) {
+      chosen[i].irradiance *= static_cast<float>(unoccluded / all);
+      chosen[i].material = scene_.polygons[c.polygon].material;
+    }
+  }
+  // Of the faint ones draw some, as often as they are likely to matter.
+  if (!(faint > 0)) return chosen;
+  const int draws = std::max(1, static_cast<int>(std::ceil(4 * samples * faint / total)));
+  double next = unit_from(hash_of(seed, 7)) * faint / draws;
+  double before = 0;
+  uint64_t draw = 0;
+  for (const Candidate& c : candidates) {
+    if (!(c.likely < least)) continue;
+    before += c.likely;
+    for (; next < before; next += faint / draws) {
+      const Point2 uv =
+          r2_point(static_cast<uint32_t>(draw++), unit_from(hash_of(seed, 8)), unit_from(hash_of(seed, 9)));
+      EmitterSample sample = sample_at(c.shape, point, tracer_.offset(), uv.u, uv.v);
+      sample.irradiance *= static_cast<float>(faint / (draws * c.likely));
+      sample.material = scene_.polygons[c.polygon].material;
+      if (sample.irradiance > 0) chosen.push_back(sample);
+    }
+  }
+  return chosen;
+}
+
+Rgb DirectLight::irradiance(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed,
+                            uint64_t* rays) const {
+  uint64_t traced = 0;
+  Rgb sum = spots(instant, point, &traced);
+  const Vec3 lifted = point.position + tracer_.offset() * point.normal;
+  for (const EmitterSample& sample : emitter_samples(instant, point, samples, seed, Which::kAll)) {
+    ++traced;
+    if (tracer_.occluded(instant.world_from_body, lifted, sample.target)) continue;
+    sum += (sample.irradiance * instant.glow[sample.material]) * scene_.materials[sample.material].emission;
   }
   if (rays) *rays += traced;
   return sum;

@@ -26,20 +26,39 @@ struct SurfacePoint {
   uint32_t polygon = kNone;  // the polygon it lies on, which never lights itself
 };
 
+// A point of an emitting polygon that lights a point.
+struct EmitterSample {
+  Vec3 target;           // world, lifted off the emitter
+  float irradiance = 0;  // W / m^2 of unit radiance, cosines included, if nothing is between
+  uint32_t material = 0;
+};
+
 class DirectLight {
  public:
   DirectLight(const Scene& scene, const Tracer& tracer);  // keeps references
 
-  // W / m^2. One shadow ray a spot in whose cone the point is; each emitting polygon by Lambert's formula
-  // times its visible fraction over about `samples` stratified points. Equal `seed` gives equal points.
-  // Adds the rays traced to `rays` where it is given.
+  // W / m^2: spots() and all samples that are visible. Equal `seed` gives equal points. Adds the rays traced
+  // to `rays` where it is given.
   Rgb irradiance(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed,
                  uint64_t* rays = nullptr) const;
+
+  // Of spots alone: one shadow ray for each in whose cone the point is.
+  Rgb spots(const Instant& instant, const SurfacePoint& point, uint64_t* rays) const;
+
+  // What to look at to know the light of emitting polygons. The ones that matter get about `samples`
+  // stratified points each, in proportion to what they may contribute, by Lambert's formula; of the many that
+  // matter little some are drawn and stand for all.
+  enum class Which : uint8_t { kAll, kStill, kMoving };
+  std::vector<EmitterSample> emitter_samples(const Instant& instant, const SurfacePoint& point, int samples,
+                                             uint64_t seed, Which which) const;
+  bool has_moving_emitters() const { return !moving_.empty(); }
 
  private:
   const Scene& scene_;
   const Tracer& tracer_;
-  std::vector<uint32_t> emitters_;  // polygons
+  std::vector<uint32_t> emitters_;        // polygons
+  std::vector<uint32_t> still_, moving_;  // the same, by whether their body moves
+  std::vector<double> cos_outer_;         // of spots
 };
 
 // Irradiance at `point` with `normal` from the convex planar `corners` (count of them, any winding) of unit

@@ -22,6 +22,19 @@ struct LocalRay {
   Vec3 from, direction;
 };
 
+// May the ray meet the box before `reach`? (Kay & Kajiya 1986)
+bool may_meet(const Box& box, const LocalRay& ray, double reach) {
+  double near = 0, far = reach;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double inverse = 1 / ray.direction[axis];
+    double a = (box.lower[axis] - ray.from[axis]) * inverse, b = (box.upper[axis] - ray.from[axis]) * inverse;
+    if (a > b) std::swap(a, b);
+    if (a > near) near = a;
+    if (b < far) far = b;
+  }
+  return near <= far * (1 + 1e-6);
+}
+
 RTCRay embree_ray(const LocalRay& local, double reach) {
   RTCRay ray{};
   ray.org_x = static_cast<float>(local.from.x);
@@ -97,7 +110,9 @@ struct Tracer::State {
   }
 
   bool occluded(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction) const {
-    RTCRay ray = embree_ray(into(group, poses, from, direction), 1.0);
+    const LocalRay local = into(group, poses, from, direction);
+    if (group.moves && !may_meet(body_boxes[group.body], local, 1)) return false;
+    RTCRay ray = embree_ray(local, 1.0);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcOccluded1(group.scene, &context, &ray);
@@ -107,6 +122,9 @@ struct Tracer::State {
   void closest(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction, double reach,
                SurfaceHit* best) const {
     const LocalRay local = into(group, poses, from, direction);
+    if (group.moves &&
+        !may_meet(body_boxes[group.body], local, best->polygon == kNone ? reach : best->distance))
+      return;
     RTCRayHit query{};
     query.ray = embree_ray(local, best->polygon == kNone ? reach : best->distance);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 
 #include "base/parallel.h"
@@ -9,6 +10,9 @@
 
 namespace strad {
 namespace {
+
+// Faces whose functions are held in full at once, before they are compressed.
+constexpr uint32_t kChunk = 512;
 
 double longest_edge(const Mesh& mesh, const Element& element) {
   double longest = 0;
@@ -20,10 +24,9 @@ double longest_edge(const Mesh& mesh, const Element& element) {
 }
 
 double area_of(const Mesh& mesh, const Element& element) {
-  const auto at = [&](int i) { return mesh.vertices[element.vertices[i]].position; };
-  double area = 0.5 * length(cross(at(1) - at(0), at(2) - at(0)));
-  if (element.corner_count() == 4) area += 0.5 * length(cross(at(2) - at(0), at(3) - at(0)));
-  return area;
+  Vec3 corners[4];
+  for (int i = 0; i < element.corner_count(); ++i) corners[i] = mesh.vertices[element.vertices[i]].position;
+  return area_of(corners, element.corner_count());
 }
 
 std::vector<uint32_t> union_of(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
@@ -35,14 +38,13 @@ std::vector<uint32_t> union_of(const std::vector<uint32_t>& a, const std::vector
 }  // namespace
 
 DirectPhase::DirectPhase(const Scene& scene, const Tracer& tracer, const TimeGrid& grid,
-                         const std::vector<Instant>& instants, const DirectOptions& options,
-                         MeshBuilder* builder)
+                         const SweptBounds& swept, const std::vector<Instant>& instants,
+                         const DirectOptions& options, MeshBuilder* builder)
     : scene_(scene),
       grid_(grid),
-      instants_(instants),
       options_(options),
       builder_(*builder),
-      light_(scene, tracer) {
+      light_(scene, tracer, grid, swept, instants, options.emitter_samples) {
   for (const Polygon& polygon : scene.polygons) total_area_ += polygon_area(scene, polygon);
 }
 
@@ -52,7 +54,8 @@ void DirectPhase::value(uint32_t vertex, uint32_t cell, Rgb* values) const {
     const SparseFunction& f = functions_[vertex];
     const auto it = std::lower_bound(f.cells.begin(), f.cells.end(), cell);
     if (it != f.cells.end() && *it == cell) {
-      std::copy_n(f.values.begin() + static_cast<ptrdiff_t>((it - f.cells.begin()) * order), order, values);
+      const size_t first = static_cast<size_t>(it - f.cells.begin()) * order;
+      for (size_t k = 0; k < order; ++k) values[k] = f.values[first + k];
       return;
     }
   }
@@ -66,6 +69,13 @@ void DirectPhase::value(uint32_t vertex, uint32_t cell, Rgb* values) const {
   }
 }
 
+std::vector<Rgb> DirectPhase::irradiance(uint32_t vertex, const std::vector<uint32_t>& nodes,
+                                         uint64_t* rays) const {
+  const Face& face = builder_.mesh().faces[builder_.face_of_vertex(vertex)];
+  const Vec3 normal = (face.side == 0 ? 1.0 : -1.0) * polygon_normal(scene_, scene_.polygons[face.polygon]);
+  return light_.irradiance({builder_.sample_point(vertex), normal, face.polygon}, nodes, vertex, rays);
+}
+
 void DirectPhase::evaluate(const std::vector<uint32_t>& vertices,
                            const std::vector<std::vector<uint32_t>>& cells) {
   functions_.resize(builder_.mesh().vertices.size());
@@ -73,31 +83,26 @@ void DirectPhase::evaluate(const std::vector<uint32_t>& vertices,
   parallel_for(vertices.size(), 8, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const uint32_t vertex = vertices[i];
-      const Face& face = builder_.mesh().faces[builder_.face_of_vertex(vertex)];
-      const Polygon& polygon = scene_.polygons[face.polygon];
-      const Vec3 normal = (face.side == 0 ? 1.0 : -1.0) * polygon_normal(scene_, polygon);
       const SparseFunction& known = functions_[vertex];
       SparseFunction f;
       f.cells = union_of(known.cells, cells[i]);
       f.cells.shrink_to_fit();
-      f.values.reserve(f.cells.size() * static_cast<size_t>(grid_.order));
-      size_t old = 0;
+      const auto order = static_cast<uint32_t>(grid_.order);
+      std::vector<uint32_t> fresh;  // nodes
+      for (const uint32_t cell : f.cells)
+        if (!std::binary_search(known.cells.begin(), known.cells.end(), cell))
+          for (uint32_t k = 0; k < order; ++k) fresh.push_back(cell * order + k);
+      counts[i] += fresh.size();
+      const std::vector<Rgb> found = irradiance(vertex, fresh, &rays[i]);
+      std::vector<Rgb> values;
+      size_t old = 0, next = 0;
       for (const uint32_t cell : f.cells) {
-        const auto order = static_cast<size_t>(grid_.order);
-        while (old < known.cells.size() && known.cells[old] < cell) ++old;
         const bool have = old < known.cells.size() && known.cells[old] == cell;
-        for (size_t k = 0; k < order; ++k) {
-          if (have) {
-            f.values.push_back(known.values[old * order + k]);
-            continue;
-          }
-          const Instant& instant = instants_[cell * order + k];
-          const Pose& pose = instant.world_from_body[body_of(scene_, polygon)];
-          const SurfacePoint point{pose * builder_.sample_point(vertex), rotate(pose, normal), face.polygon};
-          f.values.push_back(light_.irradiance(instant, point, options_.emitter_samples, vertex, &rays[i]));
-          ++counts[i];
-        }
+        for (size_t k = 0; k < order; ++k)
+          values.push_back(have ? known.values[old * order + k] : found[next++]);
+        old += have;
       }
+      f.values = PackedFunction(values);
       functions_[vertex] = std::move(f);
     }
   });
@@ -172,12 +177,39 @@ std::vector<uint32_t> DirectPhase::worthwhile_cells(const Work& work) const {
   return cells;
 }
 
+// One function a uniform face, compressed at once: there may be a million of them.
+void DirectPhase::evaluate_uniform() {
+  uniform_.order = grid_.order;
+  const uint32_t uniform = builder_.uniform_count();
+  std::vector<uint32_t> all_nodes(grid_.node_count());
+  std::iota(all_nodes.begin(), all_nodes.end(), 0u);
+  for (uint32_t first = 0; first < uniform; first += kChunk) {
+    const uint32_t count = std::min(kChunk, uniform - first);
+    std::vector<std::vector<Rgb>> rows(count);
+    std::vector<uint64_t> rays(count, 0);
+    parallel_for(count, 4, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i)
+        rows[i] = irradiance(first + static_cast<uint32_t>(i), all_nodes, &rays[i]);
+    });
+    for (uint32_t i = 0; i < count; ++i) {
+      append_row(grid_, rows[i], {}, tolerance_of(first + i), &uniform_);
+      rays_ += rays[i];
+    }
+  }
+  evaluations_ += uint64_t{uniform} * grid_.node_count();
+}
+
+float DirectPhase::tolerance_of(uint32_t vertex) const {
+  return options_.tolerance / static_cast<float>(builder_.prominence(builder_.face_of_vertex(vertex)));
+}
+
 void DirectPhase::run() {
+  evaluate_uniform();
   std::vector<uint32_t> all_cells(grid_.cell_count());
   std::iota(all_cells.begin(), all_cells.end(), 0u);
   const Mesh& mesh = builder_.mesh();
-  std::vector<uint32_t> corners(mesh.vertices.size());
-  std::iota(corners.begin(), corners.end(), 0u);
+  std::vector<uint32_t> corners(mesh.vertices.size() - builder_.uniform_count());
+  std::iota(corners.begin(), corners.end(), builder_.uniform_count());
   evaluate(corners, std::vector<std::vector<uint32_t>>(corners.size(), all_cells));
   std::vector<Work> level;
   for (const Face& face : mesh.faces)
@@ -191,6 +223,16 @@ std::vector<Rgb> DirectPhase::mean_irradiance(uint32_t element, const std::vecto
   const Mesh& mesh = builder_.mesh();
   const Element& e = mesh.elements[element];
   std::vector<Rgb> mean(cells.size() * order);
+  if (is_uniform(e)) {
+    for (size_t i = 0; i < cells.size();) {  // runs of adjacent cells
+      size_t j = i + 1;
+      while (j < cells.size() && cells[j] == cells[j - 1] + 1) ++j;
+      const std::vector<Rgb> run = uniform_irradiance(element, cells[i], static_cast<uint32_t>(j - i));
+      std::copy(run.begin(), run.end(), mean.begin() + static_cast<ptrdiff_t>(i * order));
+      i = j;
+    }
+    return mean;
+  }
   const std::vector<uint32_t> none;
   const std::vector<uint32_t>& split = element < split_cells_.size() ? split_cells_[element] : none;
   std::vector<uint32_t> inner;
@@ -219,14 +261,20 @@ std::vector<Rgb> DirectPhase::mean_irradiance(uint32_t element, const std::vecto
   return mean;
 }
 
-Field DirectPhase::surpluses(float tolerance) {
+std::vector<Rgb> DirectPhase::uniform_irradiance(uint32_t element, uint32_t first, uint32_t count) const {
+  std::vector<Rgb> values(count * static_cast<size_t>(grid_.order));
+  add_values(grid_, uniform_, builder_.mesh().elements[element].vertices[0], first, count, values.data());
+  return values;
+}
+
+Field DirectPhase::surpluses() {
   const auto order = static_cast<size_t>(grid_.order);
   const Mesh& mesh = builder_.mesh();
   const std::vector<bool> hanging = builder_.hanging_vertices();
   functions_.resize(mesh.vertices.size());
-  Field field;
-  field.order = grid_.order;
-  for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+  Field field = std::move(uniform_);
+  field.expect_rows(mesh.vertices.size());
+  for (uint32_t v = builder_.uniform_count(); v < mesh.vertices.size(); ++v) {
     SparseFunction& f = functions_[v];
     if (hanging[v]) f = {};  // from now on it is the mean of its parents, for its children too
     const MeshVertex& vertex = mesh.vertices[v];
@@ -243,11 +291,10 @@ Field DirectPhase::surpluses(float tolerance) {
       }
       for (size_t k = 0; k < order; ++k) row[f.cells[i] * order + k] = f.values[i * order + k] - mean[k];
     }
-    append_row(grid_, row, active, tolerance, &field);
+    append_row(grid_, row, active, tolerance_of(v), &field);
   }
   functions_ = {};
   split_cells_ = {};
-  field.shrink();
   return field;
 }
 

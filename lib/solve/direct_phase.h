@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "base/rgb.h"
-#include "light/direct.h"
+#include "solve/direct_over_time.h"
 #include "solve/mesh_builder.h"
+#include "solve/packed_function.h"
 #include "time/field.h"
 #include "time/time_grid.h"
 
@@ -19,20 +20,21 @@ namespace strad {
 // Values at the nodes of some cells only: cells ascending, `order` values a cell.
 struct SparseFunction {
   std::vector<uint32_t> cells;
-  std::vector<Rgb> values;
+  PackedFunction values;
 };
 
 struct DirectOptions {
   double largest_element = 0.4;  // m: elements that light may reach are split down to this
   double smallest_element = 0;   // m
   float threshold = 0;  // split while surplus radiance * sqrt(area / total area) exceeds it, W / (sr m^2)
+  float tolerance = 0;  // W / m^2: of the functions that are kept
   int emitter_samples = 16;  // shadow rays an emitting polygon
 };
 
 class DirectPhase {
  public:
   // Keeps references. `instants`: one a node of the grid.
-  DirectPhase(const Scene& scene, const Tracer& tracer, const TimeGrid& grid,
+  DirectPhase(const Scene& scene, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
               const std::vector<Instant>& instants, const DirectOptions& options, MeshBuilder* builder);
 
   // Refines all faces that the builder holds.
@@ -41,9 +43,9 @@ class DirectPhase {
   // Mean direct irradiance over an element at the nodes of some cells (ascending).
   std::vector<Rgb> mean_irradiance(uint32_t element, const std::vector<uint32_t>& cells) const;
 
-  // Surpluses of every vertex of the builder's mesh as it is now, with an error about `tolerance` (W / m^2).
-  // Call last: it gives back the memory of the values.
-  Field surpluses(float tolerance);
+  // Surpluses of every vertex of the builder's mesh as it is now, with an error about the tolerance. Gives
+  // back the memory of the values.
+  Field surpluses();
 
   uint64_t evaluations() const { return evaluations_; }
   uint64_t rays() const { return rays_; }
@@ -53,6 +55,11 @@ class DirectPhase {
     uint32_t element;
     std::vector<uint32_t> cells;  // in which it is to be split
   };
+  // At a vertex and nodes of the grid.
+  std::vector<Rgb> irradiance(uint32_t vertex, const std::vector<uint32_t>& nodes, uint64_t* rays) const;
+  void evaluate_uniform();
+  float tolerance_of(uint32_t vertex) const;
+  std::vector<Rgb> uniform_irradiance(uint32_t element, uint32_t first, uint32_t count) const;
   void evaluate(const std::vector<uint32_t>& vertices, const std::vector<std::vector<uint32_t>>& cells);
   std::vector<Work> split(const std::vector<Work>& level);
   std::vector<uint32_t> worthwhile_cells(const Work& work) const;
@@ -61,13 +68,13 @@ class DirectPhase {
 
   const Scene& scene_;
   const TimeGrid& grid_;
-  const std::vector<Instant>& instants_;
   DirectOptions options_;
   MeshBuilder& builder_;
-  DirectLight light_;
+  DirectOverTime light_;
   double total_area_ = 0;
   std::vector<SparseFunction> functions_;           // a vertex
   std::vector<std::vector<uint32_t>> split_cells_;  // an element
+  Field uniform_;                                   // of the vertices of uniform faces
   uint64_t evaluations_ = 0, rays_ = 0;
 };
 

@@ -13,33 +13,15 @@ constexpr uint32_t kDead = 0xffffffffu;     // a surface that no light reaches
 
 constexpr float kFree = 0.95f;  // a view as open as this is not blocked
 
-// Does the segment from `from` to from + reach * direction meet the box?
-bool meets(const Box& box, Vec3 from, Vec3 direction, double reach) {
-  double low = 0, high = reach;
-  for (int i = 0; i < 3; ++i) {
-    const double inverse = 1 / direction[i];
-    double a = (box.lower[i] - from[i]) * inverse, b = (box.upper[i] - from[i]) * inverse;
-    if (a > b) std::swap(a, b);
-    if (a > low) low = a;
-    if (b < high) high = b;
-  }
-  return low <= high;
-}
-
 }  // namespace
 
 FinalGather::FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid,
-                         const SweptBounds& swept, const std::vector<std::vector<Rgb>>& radiance, int rays)
-    : tree_(tree), tracer_(tracer), grid_(grid), swept_(swept), radiance_(radiance), ray_count_(rays) {
+                         const SweptBounds& swept, const LightFunctions& radiance, Rays rays)
+    : tree_(tree), tracer_(tracer), grid_(grid), swept_(swept), radiance_(radiance), rays_(rays) {
   const size_t bodies = tree.scene().bodies.size();
   for (size_t b = 0; b < bodies; ++b) {
     moving_mask_.push_back(swept.moves(static_cast<uint32_t>(b)));
     still_mask_.push_back(!moving_mask_.back());
-  }
-  for (const uint32_t body : swept.moving_bodies()) {
-    Box box;
-    for (uint32_t c = 0; c < grid.cell_count(); ++c) box.add(swept.box(body, {c, 0}));
-    swept_boxes_.push_back(box);
   }
 }
 
@@ -65,21 +47,20 @@ Vec3 FinalGather::origin(const Receiver& receiver, int ray) const {
   return at + tracer_.offset() * receiver.normal;
 }
 
-uint32_t FinalGather::leaf_of(const SurfaceHit& hit) const {
+uint32_t FinalGather::light_of(const SurfaceHit& hit) const {
   if (hit.polygon == kNone) return kNothing;
-  const uint32_t leaf = tree_.leaf_at(hit.polygon, hit.front ? 0 : 1, hit.rest_point);
-  return leaf == kNone || radiance_[leaf].empty() ? kDead : leaf;
+  const uint32_t light = tree_.light_at(hit.polygon, hit.front ? 0 : 1, hit.rest_point);
+  return light == kNone ? kDead : light;
 }
 
-void FinalGather::add(uint32_t leaf, uint32_t first_date, uint32_t date_count, const float* weights,
+void FinalGather::add(uint32_t light, uint32_t first_date, uint32_t date_count, const float* weights,
                       GatheredFunction* to) const {
-  if (leaf == kNothing) return;
-  if (leaf == kDead) {
+  if (light == kNothing) return;
+  if (light == kDead) {
     for (uint32_t i = 0; i < date_count; ++i) to->open[first_date + i] -= weights[i];
     return;
   }
-  const Rgb* from = radiance_[leaf].data() + first_date;
-  for (uint32_t i = 0; i < date_count; ++i) to->irradiance[first_date + i] += weights[i] * from[i];
+  radiance_.add(light, first_date, date_count, weights, &to->irradiance[first_date]);
 }
 
 GatheredFunction FinalGather::at_rest(const Receiver& receiver, uint64_t* rays) const {
@@ -87,34 +68,29 @@ GatheredFunction FinalGather::at_rest(const Receiver& receiver, uint64_t* rays) 
   const uint32_t cells = grid_.cell_count(), order = static_cast<uint32_t>(grid_.order);
   const Pose& pose = poses[receiver.body];
   GatheredFunction sum{std::vector<Rgb>(grid_.node_count()), std::vector<float>(grid_.node_count(), 1.0f)};
-  const float share = 1.0f / static_cast<float>(ray_count_);
+  const float share = 1.0f / static_cast<float>(receiver.rays);
   std::vector<uint32_t> always;  // leaves seen at all dates
   std::vector<float> weights(grid_.node_count());
   std::vector<uint32_t> at_begin(cells), at_end(cells);
-  for (int r = 0; r < ray_count_; ++r) {
+  for (int r = 0; r < receiver.rays; ++r) {
     const Vec3 from = pose * origin(receiver, r), towards = rotate(pose, direction(receiver, r));
     const SurfaceHit behind = tracer_.closest_of(poses, still_mask_, from, towards, 1e30);
     ++*rays;
-    const uint32_t behind_leaf = leaf_of(behind);
+    const uint32_t behind_leaf = light_of(behind);
     const double reach = behind.polygon == kNone ? 1e30 : behind.distance;
-    bool may_meet = false;
-    for (const Box& box : swept_boxes_) may_meet = may_meet || meets(box, from, towards, reach);
-    if (!may_meet) {
+    if (!swept_.may_meet(from, towards, reach)) {
       always.push_back(behind_leaf);
       continue;
     }
     // What the ray sees at both ends of each cell.
     bool changes = false;
     const auto seen_at = [&](uint32_t cell, const std::vector<Pose>& at) {
-      bool near = false;
-      for (size_t body = 0; body < swept_boxes_.size(); ++body)
-        near = near || meets(swept_.cell_box(body, cell), from, towards, reach);
-      if (!near) return behind_leaf;
+      if (!swept_.may_meet_in(cell, from, towards, reach)) return behind_leaf;
       ++*rays;
       const SurfaceHit hit = tracer_.closest_of(at, moving_mask_, from, towards, reach);
       if (hit.polygon == kNone) return behind_leaf;
       changes = true;
-      return leaf_of(hit);
+      return light_of(hit);
     };
     for (uint32_t c = 0; c < cells; ++c) {
       const bool first_of_span = grid_.spans[span_of_cell(grid_, c)].first_cell == c;
@@ -158,14 +134,14 @@ GatheredFunction FinalGather::in_motion(const Receiver& receiver, uint64_t* rays
   const uint32_t order = static_cast<uint32_t>(grid_.order);
   GatheredFunction sum{std::vector<Rgb>(grid_.node_count()), std::vector<float>(grid_.node_count(), 1.0f)};
   // Two sets of rays are blended at each date, so half of the rays in each give the same noise.
-  const int ray_count = std::max(1, ray_count_ / 2);
+  const int ray_count = std::max(1, receiver.rays / 2);
   const float share = 1.0f / static_cast<float>(ray_count);
   const auto look = [&](const std::vector<Pose>& poses) {
     const Pose& pose = poses[receiver.body];
     std::vector<uint32_t> seen;
     for (int r = 0; r < ray_count; ++r)
       seen.push_back(
-          leaf_of(tracer_.closest(poses, pose * origin(receiver, r), rotate(pose, direction(receiver, r)))));
+          light_of(tracer_.closest(poses, pose * origin(receiver, r), rotate(pose, direction(receiver, r)))));
     *rays += static_cast<uint64_t>(ray_count);
     std::sort(seen.begin(), seen.end());
     return seen;
@@ -202,25 +178,41 @@ GatheredFunction FinalGather::in_motion(const Receiver& receiver, uint64_t* rays
 
 FinalGather::Receiver FinalGather::receiver_of_vertex(uint32_t vertex) const {
   const MeshBuilder& builder = tree_.builder();
-  const Face& face = builder.mesh().faces[builder.face_of_vertex(vertex)];
-  const Polygon& polygon = tree_.scene().polygons[face.polygon];
+  const uint32_t f = builder.face_of_vertex(vertex);
+  const Face& face = builder.mesh().faces[f];
+  if (is_uniform(builder.mesh().elements[face.element])) return receiver_of_face(f);
   Receiver receiver;
   receiver.position = builder.sample_point(vertex);
-  receiver.normal = (face.side == 0 ? 1.0 : -1.0) * polygon_normal(tree_.scene(), polygon);
-  receiver.body = body_of(tree_.scene(), polygon);
+  receiver.normal = tree_.face_normal(f);
+  receiver.body = body_of(tree_.scene(), tree_.scene().polygons[face.polygon]);
   receiver.seed = hash_of(vertex);
+  receiver.rays = std::max(rays_.uniform, static_cast<int>(builder.prominence(f) * rays_.vertex));
   return receiver;
 }
 
-FinalGather::Receiver FinalGather::receiver_of_node(uint32_t node) const {
-  const Node& n = tree_.nodes()[node];
+FinalGather::Receiver FinalGather::receiver_of_patch(const Node& n) const {
   Receiver receiver;
   receiver.position = n.centre;
   receiver.normal = n.normal;
   receiver.body = n.body;
-  receiver.seed = hash_of(node, 1);
+  receiver.seed = hash_of(n.element, 1);
   receiver.spread = true;
   receiver.patch = patch_points(tree_, n);
+  receiver.rays = is_uniform(tree_.builder().mesh().elements[n.element]) ? rays_.uniform : rays_.vertex;
+  return receiver;
+}
+
+FinalGather::Receiver FinalGather::receiver_of_face(uint32_t f) const {
+  const Face& face = tree_.builder().mesh().faces[f];
+  Receiver receiver;
+  receiver.patch = face_points(tree_.scene(), face);
+  for (int i = 0; i < receiver.patch.corner_count; ++i)
+    receiver.position += receiver.patch.corners[i] / receiver.patch.corner_count;
+  receiver.normal = tree_.face_normal(f);
+  receiver.body = body_of(tree_.scene(), tree_.scene().polygons[face.polygon]);
+  receiver.seed = hash_of(f, 2);
+  receiver.spread = true;
+  receiver.rays = rays_.uniform;
   return receiver;
 }
 
@@ -240,24 +232,49 @@ GatheredFunction FinalGather::at_vertex(uint32_t vertex, uint64_t* rays) const {
   return f;
 }
 
-GatheredFunction FinalGather::over_node(uint32_t node, uint64_t* rays) const {
-  return gather(receiver_of_node(node), rays);
+GatheredFunction FinalGather::over_light(uint32_t light, uint64_t* rays) const {
+  const size_t nodes = tree_.nodes().size();
+  return gather(light < nodes ? receiver_of_patch(tree_.nodes()[light])
+                              : receiver_of_face(light - static_cast<uint32_t>(nodes)),
+                rays);
 }
 
-FinalGather::View FinalGather::view_of(uint32_t node, uint64_t* rays) const {
-  const Receiver receiver = receiver_of_node(node);
+FinalGather::View FinalGather::view_of(const Receiver& receiver) const {
   const std::vector<Pose>& poses = swept_.cell_begin_poses(grid_.cell_count() / 2);
   const Pose& pose = poses[receiver.body];
   int lit = 0, dead = 0;
-  for (int r = 0; r < ray_count_; ++r) {
-    const uint32_t leaf =
-        leaf_of(tracer_.closest(poses, pose * origin(receiver, r), rotate(pose, direction(receiver, r))));
-    dead += leaf == kDead;
-    lit += leaf != kDead && leaf != kNothing;
+  for (int r = 0; r < receiver.rays; ++r) {
+    const uint32_t light =
+        light_of(tracer_.closest(poses, pose * origin(receiver, r), rotate(pose, direction(receiver, r))));
+    dead += light == kDead;
+    lit += light != kDead && light != kNothing;
   }
-  *rays += static_cast<uint64_t>(ray_count_);
-  const auto all = static_cast<float>(ray_count_);
+  const auto all = static_cast<float>(receiver.rays);
   return {static_cast<float>(lit) / all, static_cast<float>(dead) / all};
+}
+
+FinalGather::View FinalGather::view_of(uint32_t n, uint64_t* rays) const {
+  const Node& node = tree_.nodes()[n];
+  *rays += static_cast<uint64_t>(rays_.vertex);
+  if (!node.is_cluster()) {
+    Receiver receiver = receiver_of_patch(node);
+    receiver.rays = rays_.vertex;
+    return view_of(receiver);
+  }
+  View mean{0, 0};
+  for (int s = 0; s < Cluster::kSamples; ++s) {
+    const SurfaceSample& sample = tree_.cluster(node).samples[s];
+    Receiver receiver;
+    receiver.position = sample.position;
+    receiver.normal = sample.normal;
+    receiver.body = node.body;
+    receiver.seed = hash_of(n, 4, static_cast<uint64_t>(s));
+    receiver.rays = std::max(1, rays_.vertex / Cluster::kSamples);
+    const View view = view_of(receiver);
+    mean.lit += view.lit / Cluster::kSamples;
+    mean.dead += view.dead / Cluster::kSamples;
+  }
+  return mean;
 }
 
 }  // namespace strad

@@ -12,6 +12,7 @@
 
 #include "base/rgb.h"
 #include "light/tracer.h"
+#include "solve/light_functions.h"
 #include "solve/nodes.h"
 #include "solve/swept.h"
 #include "time/time_grid.h"
@@ -26,16 +27,20 @@ struct GatheredFunction {
 
 class FinalGather {
  public:
-  // `radiance`: [node][date] without emission, empty for nodes that are no leaves or stay dark. Keeps
-  // references.
+  // Rays that a vertex or patch sends, and those that a uniform face does.
+  struct Rays {
+    int vertex, uniform;
+  };
+  // `radiance`: [light] without emission (see NodeTree::light_at). Keeps references.
   FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
-              const std::vector<std::vector<Rgb>>& radiance, int rays);
+              const LightFunctions& radiance, Rays rays);
 
+  // At a vertex, or over the uniform face that it stands for.
   GatheredFunction at_vertex(uint32_t vertex, uint64_t* rays) const;
-  // The mean over a node: each ray starts at another point of it. Not scaled up; `open` always filled.
-  GatheredFunction over_node(uint32_t node, uint64_t* rays) const;
+  // The mean over a light: each ray starts at another point of it. Not scaled up; `open` always filled.
+  GatheredFunction over_light(uint32_t light, uint64_t* rays) const;
 
-  // What the rays of a node meet, as shares of all: surfaces that take part, and dead ones. Where a node is
+  // What the rays of a leaf meet, as shares of all: surfaces that take part, and dead ones. Where a node is
   // partly covered (a box stands on it) the covered part sees only the dead inside of what covers it.
   struct View {
     float lit = 1, dead = 0;
@@ -50,26 +55,28 @@ class FinalGather {
     uint64_t seed = 0;
     bool spread = false;
     PatchPoints patch{};
+    int rays = 0;
   };
   Receiver receiver_of_vertex(uint32_t vertex) const;
-  Receiver receiver_of_node(uint32_t node) const;
+  Receiver receiver_of_patch(const Node& node) const;
+  Receiver receiver_of_face(uint32_t face) const;
+  View view_of(const Receiver& receiver) const;
   GatheredFunction gather(const Receiver& receiver, uint64_t* rays) const;
   GatheredFunction at_rest(const Receiver& receiver, uint64_t* rays) const;
   GatheredFunction in_motion(const Receiver& receiver, uint64_t* rays) const;
   Vec3 direction(const Receiver& receiver, int ray) const;
   Vec3 origin(const Receiver& receiver, int ray) const;
-  uint32_t leaf_of(const SurfaceHit& hit) const;
-  void add(uint32_t leaf, uint32_t first_date, uint32_t date_count, const float* weights,
+  uint32_t light_of(const SurfaceHit& hit) const;
+  void add(uint32_t light, uint32_t first_date, uint32_t date_count, const float* weights,
            GatheredFunction* to) const;
 
   const NodeTree& tree_;
   const Tracer& tracer_;
   const TimeGrid& grid_;
   const SweptBounds& swept_;
-  const std::vector<std::vector<Rgb>>& radiance_;
-  int ray_count_;
+  const LightFunctions& radiance_;
+  Rays rays_;
   std::vector<bool> still_mask_, moving_mask_;
-  std::vector<Box> swept_boxes_;  // of each moving body, over all time
 };
 
 }  // namespace strad

@@ -9,6 +9,9 @@
 namespace strad {
 namespace {
 
+// Faces whose functions are held in full at once, before they are compressed.
+constexpr uint32_t kChunk = 512;
+
 int parent_count(const MeshVertex& vertex) {
   return vertex.parents[0] == kNone ? 0 : vertex.parents[2] == kNone ? 2 : 4;
 }
@@ -32,7 +35,7 @@ void IndirectPhase::evaluate(const std::vector<uint32_t>& vertices) {
   parallel_for(fresh.size(), 4, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       GatheredFunction f = gather_.at_vertex(fresh[i], &rays[i]);
-      functions_[fresh[i]] = {PackedFunction(f.irradiance), std::move(f.open)};
+      functions_[fresh[i]] = {TightFunction(f.irradiance), std::move(f.open)};
     }
   });
   rays_ += std::accumulate(rays.begin(), rays.end(), uint64_t{0});
@@ -46,7 +49,7 @@ std::vector<Rgb> IndirectPhase::parents_mean(uint32_t vertex) const {
   for (int p = 0; p < count; ++p) {
     // A parent without a function of its own (it hangs, or belongs to direct light alone) is the mean of its
     // own.
-    const PackedFunction& own = functions_[v.parents[p]].irradiance;
+    const TightFunction& own = functions_[v.parents[p]].irradiance;
     const std::vector<Rgb> of_parent = own.empty() ? parents_mean(v.parents[p]) : own.unpacked();
     for (size_t i = 0; i < mean.size(); ++i) mean[i] += (1.0f / static_cast<float>(count)) * of_parent[i];
   }
@@ -107,10 +110,37 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
   return false;
 }
 
+// One function a uniform face, compressed at once: there may be a million of them.
+void IndirectPhase::evaluate_uniform() {
+  uniform_.order = grid_.order;
+  uniform_.expect_rows(2 * builder_.mesh().vertices.size());  // the others will follow
+  const uint32_t uniform = builder_.uniform_count();
+  for (uint32_t first = 0; first < uniform; first += kChunk) {
+    const uint32_t count = std::min(kChunk, uniform - first);
+    std::vector<std::vector<Rgb>> rows(count);
+    std::vector<uint64_t> rays(count, 0);
+    parallel_for(count, 4, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i)
+        rows[i] = gather_.at_vertex(first + static_cast<uint32_t>(i), &rays[i]).irradiance;
+    });
+    for (uint32_t i = 0; i < count; ++i) {
+      append_row(grid_, rows[i], {}, tolerance_of(first + i), &uniform_);
+      rays_ += rays[i];
+    }
+  }
+  evaluated_ += uniform;
+}
+
+float IndirectPhase::tolerance_of(uint32_t vertex) const {
+  return options_.tolerance / static_cast<float>(builder_.prominence(builder_.face_of_vertex(vertex)));
+}
+
 void IndirectPhase::run() {
   const Mesh& mesh = builder_.mesh();
+  evaluate_uniform();
   std::vector<uint32_t> level, vertices;
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (is_uniform(mesh.elements[mesh.faces[f].element])) continue;
     level.push_back(mesh.faces[f].element);
     for (int c = 0; c < mesh.elements[level.back()].corner_count(); ++c)
       vertices.push_back(mesh.elements[level.back()].vertices[c]);
@@ -153,23 +183,27 @@ void IndirectPhase::run() {
 // is seen.
 void IndirectPhase::fill_buried() {
   const Mesh& mesh = builder_.mesh();
-  std::vector<std::vector<uint32_t>> neighbours(functions_.size());
+  std::vector<uint32_t> blocked, rank(functions_.size(), kNone);
+  for (uint32_t v = 0; v < functions_.size(); ++v) {
+    if (functions_[v].open.empty()) continue;
+    rank[v] = static_cast<uint32_t>(blocked.size());
+    blocked.push_back(v);
+  }
+  std::vector<std::vector<uint32_t>> neighbours(blocked.size());
   for (const uint32_t element : visited_) {
     const Element& e = mesh.elements[element];
     const int n = e.corner_count();
     for (int i = 0; i < n; ++i) {
-      neighbours[e.vertices[i]].push_back(e.vertices[(i + 1) % n]);
-      neighbours[e.vertices[(i + 1) % n]].push_back(e.vertices[i]);
+      const uint32_t a = e.vertices[i], b = e.vertices[(i + 1) % n];
+      if (rank[a] != kNone) neighbours[rank[a]].push_back(b);
+      if (rank[b] != kNone) neighbours[rank[b]].push_back(a);
     }
   }
-  std::vector<uint32_t> blocked;
-  for (uint32_t v = 0; v < functions_.size(); ++v)
-    if (!functions_[v].open.empty()) blocked.push_back(v);
   constexpr int kRounds = 16;
   for (int round = 0; round < kRounds; ++round) {
     std::vector<VertexFunction> filled(blocked.size());
     parallel_for(blocked.size(), 8, [&](size_t begin, size_t end) {
-      for (size_t b = begin; b < end; ++b) filled[b] = filled_from(blocked[b], neighbours[blocked[b]]);
+      for (size_t b = begin; b < end; ++b) filled[b] = filled_from(blocked[b], neighbours[b]);
     });
     for (size_t b = 0; b < blocked.size(); ++b) functions_[blocked[b]] = std::move(filled[b]);
   }
@@ -196,22 +230,21 @@ IndirectPhase::VertexFunction IndirectPhase::filled_from(uint32_t vertex,
     irradiance[i] = own * irradiance[i] + ((1 - own) / weight) * sum;
     opens[i] = kTrusted;
   }
-  return {PackedFunction(irradiance), std::move(opens)};
+  return {TightFunction(irradiance), std::move(opens)};
 }
 
-Field IndirectPhase::surpluses(float tolerance) {
+Field IndirectPhase::surpluses() {
   const Mesh& mesh = builder_.mesh();
   functions_.resize(mesh.vertices.size());
   fill_buried();
   const std::vector<bool> hanging = builder_.hanging_vertices();
-  Field field;
-  field.order = grid_.order;
-  for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+  Field field = std::move(uniform_);
+  for (uint32_t v = builder_.uniform_count(); v < mesh.vertices.size(); ++v) {
     if (hanging[v]) functions_[v] = {};
-    const PackedFunction& own = functions_[v].irradiance;
+    const TightFunction& own = functions_[v].irradiance;
     if (own.empty()) {
       if (parent_count(mesh.vertices[v]) == 0)
-        functions_[v].irradiance = PackedFunction(std::vector<Rgb>(grid_.node_count()));
+        functions_[v].irradiance = TightFunction(std::vector<Rgb>(grid_.node_count()));
       field.first_piece.push_back(static_cast<uint32_t>(field.pieces.size()));
       continue;
     }
@@ -220,9 +253,8 @@ Field IndirectPhase::surpluses(float tolerance) {
       const std::vector<Rgb> mean = parents_mean(v);
       for (size_t i = 0; i < row.size(); ++i) row[i] = row[i] - mean[i];
     }
-    append_row(grid_, row, {}, tolerance, &field);
+    append_row(grid_, row, {}, tolerance_of(v), &field);
   }
-  field.shrink();
   return field;
 }
 

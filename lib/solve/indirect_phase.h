@@ -16,6 +16,7 @@ namespace strad {
 struct IndirectOptions {
   double largest_element = 0.8;    // m
   double smallest_element = 0.05;  // m
+  float tolerance = 0;             // W / m^2: of the functions that are kept
   float threshold = 0;  // split while surplus radiance * sqrt(area / total area) exceeds it, W / (sr m^2)
 };
 
@@ -27,8 +28,8 @@ class IndirectPhase {
 
   void run();
 
-  // Surpluses of every vertex of the builder's mesh as it is now, with an error about `tolerance` (W / m^2).
-  Field surpluses(float tolerance);
+  // Surpluses of every vertex of the builder's mesh as it is now, with an error about the tolerance.
+  Field surpluses();
 
   uint64_t rays() const { return rays_; }
   uint64_t evaluated() const { return evaluated_; }
@@ -36,9 +37,11 @@ class IndirectPhase {
  private:
   // What FinalGather found, at half the memory.
   struct VertexFunction {
-    PackedFunction irradiance;  // W / m^2, at every node of the grid; empty where none was wanted
-    std::vector<float> open;    // as in GatheredFunction
+    TightFunction irradiance;  // W / m^2, at every node of the grid; empty where none was wanted
+    std::vector<float> open;   // as in GatheredFunction
   };
+  void evaluate_uniform();
+  float tolerance_of(uint32_t vertex) const;
   void evaluate(const std::vector<uint32_t>& vertices);
   bool worth_splitting(uint32_t element) const;
   bool is_partly_buried(uint32_t element) const;
@@ -57,6 +60,7 @@ class IndirectPhase {
   double total_area_ = 0;
   std::vector<VertexFunction> functions_;  // a vertex; empty where none was wanted
   std::vector<uint32_t> visited_;          // elements whose corners have functions
+  Field uniform_;                          // of the vertices of uniform faces
   uint64_t rays_ = 0, evaluated_ = 0;
 };
 

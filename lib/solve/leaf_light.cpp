@@ -9,7 +9,8 @@
 namespace strad {
 namespace {
 
-constexpr int kLeafRays = 128;  // a leaf's noise of some 5 % is averaged over the hundreds that a point sees
+// A leaf's noise is averaged over the hundreds that a point sees: some 5 % of a patch, 10 % of a small face.
+constexpr FinalGather::Rays kLeafRays{128, 32};
 
 constexpr float kLeastOpen = 0.2f;  // a leaf more covered than this is all but unseen
 
@@ -17,121 +18,222 @@ uint64_t sum_of(const std::vector<uint64_t>& counts) {
   return std::accumulate(counts.begin(), counts.end(), uint64_t{0});
 }
 
-double total_of(const NodeTree& tree, const LeafFunctions& radiance) {
+// What a light is made of.
+struct LightSurface {
+  uint32_t element;
+  double area;
+  Rgb brdf;
+};
+LightSurface surface_of(const NodeTree& tree, uint32_t light) {
+  const auto inverse_pi = static_cast<float>(1 / kPi);
+  if (light < tree.nodes().size()) {
+    const Node& node = tree.nodes()[light];
+    return {node.element, node.area, inverse_pi * node.reflectance};
+  }
+  const uint32_t f = light - static_cast<uint32_t>(tree.nodes().size());
+  const Face& face = tree.builder().mesh().faces[f];
+  const Material& material = tree.scene().materials[tree.scene().polygons[face.polygon].material];
+  return {face.element, tree.face_area(f), inverse_pi * material.reflectance};
+}
+
+// All lights, ascending.
+std::vector<uint32_t> lights_of(const NodeTree& tree) {
+  std::vector<uint32_t> lights;
+  const auto nodes = static_cast<uint32_t>(tree.nodes().size());
+  for (uint32_t n = 0; n < nodes; ++n)
+    if (tree.nodes()[n].is_leaf() && !tree.nodes()[n].is_cluster()) lights.push_back(n);
+  for (uint32_t light = nodes; light < tree.light_count(); ++light)
+    if (tree.nodes()[tree.node_of_face(light - nodes)].is_cluster()) lights.push_back(light);
+  return lights;
+}
+
+double total_of(const NodeTree& tree, const LightFunctions& radiance) {
   double total = 0;
-  for (size_t n = 0; n < radiance.size(); ++n) {
-    double of_node = 0;
-    for (const Rgb& l : radiance[n]) of_node += l.r + l.g + l.b;
-    total += tree.nodes()[n].area * of_node;
+  for (const uint32_t light : radiance.lights()) {
+    double of_light = 0;
+    for (size_t d = 0; d < radiance.dates(); ++d) {
+      const Rgb l = radiance.get(light, d);
+      of_light += l.r + l.g + l.b;
+    }
+    total += surface_of(tree, light).area * of_light;
   }
   return total;
 }
 
-// One gather by rays over the radiance of all leaves, in place: chunk after chunk, so that a chunk already
+// One gather by rays over the radiance of all lights, in place: chunk after chunk, so that a chunk already
 // sees the light of those before it and no second copy is held. Returns the rays traced.
-uint64_t bounce(const Workspace& work, const PackedLeafFunctions& direct, LeafFunctions* radiance) {
+uint64_t bounce(const Workspace& work, const DirectOfLights& direct, LightFunctions* radiance) {
   constexpr size_t kChunk = 512;  // fixed: results must not depend on the number of threads
   const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, *radiance, kLeafRays);
-  std::vector<uint64_t> rays(radiance->size(), 0);
-  LeafFunctions reflected(kChunk);
-  for (size_t first = 0; first < radiance->size(); first += kChunk) {
-    const size_t count = std::min(kChunk, radiance->size() - first);
+  const std::vector<uint32_t>& lights = radiance->lights();
+  std::vector<uint64_t> rays(lights.size(), 0);
+  std::vector<std::vector<Rgb>> reflected(kChunk);
+  for (size_t first = 0; first < lights.size(); first += kChunk) {
+    const size_t count = std::min(kChunk, lights.size() - first);
     parallel_for(count, 8, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
-        const size_t n = first + i;
-        if ((*radiance)[n].empty()) continue;
-        const Rgb brdf = static_cast<float>(1 / kPi) * work.tree.nodes()[n].reflectance;
-        GatheredFunction f = gather.over_node(static_cast<uint32_t>(n), &rays[n]);
+        const uint32_t light = lights[first + i];
+        const Rgb brdf = surface_of(work.tree, light).brdf;
+        GatheredFunction f = gather.over_light(light, &rays[first + i]);
+        const std::vector<Rgb> from_direct = direct.irradiance(light, 0, work.grid.cell_count());
         reflected[i] = std::move(f.irradiance);
         // Means over the leaf become means over what of it is exposed at that date.
         for (size_t d = 0; d < reflected[i].size(); ++d)
-          reflected[i][d] = (1 / std::max(f.open[d], kLeastOpen)) * brdf * (direct[n][d] + reflected[i][d]);
+          reflected[i][d] = (1 / std::max(f.open[d], kLeastOpen)) * brdf * (from_direct[d] + reflected[i][d]);
       }
     });
     for (size_t i = 0; i < count; ++i)
-      if (!(*radiance)[first + i].empty()) (*radiance)[first + i].swap(reflected[i]);
+      for (size_t d = 0; d < reflected[i].size(); ++d) radiance->set(lights[first + i], d, reflected[i][d]);
   }
   return sum_of(rays);
 }
 
+// Radiance that leaves reflect of direct light at the nodes of some cells: [slot][date].
+std::vector<Rgb> direct_of_slots(const Workspace& work, const DirectOfLights& direct, uint32_t first_cell,
+                                 uint32_t cells) {
+  const NodeTree& tree = work.tree;
+  const size_t count = cells * static_cast<size_t>(work.grid.order);
+  std::vector<Rgb> radiance(tree.slot_count() * count);
+  const auto nodes = static_cast<uint32_t>(tree.nodes().size());
+  for (uint32_t n = 0; n < nodes; ++n) {
+    const Node& node = tree.nodes()[n];
+    if (!node.is_leaf()) continue;
+    const auto add = [&](uint32_t light, size_t slot, float share) {
+      const Rgb brdf = share * surface_of(tree, light).brdf;
+      const std::vector<Rgb> e = direct.irradiance(light, first_cell, cells);
+      for (size_t d = 0; d < count; ++d) radiance[slot * count + d] += brdf * e[d];
+    };
+    if (!node.is_cluster()) {
+      add(n, node.slot, 1);
+      continue;
+    }
+    const Cluster& cluster = tree.cluster(node);
+    for (uint32_t i = cluster.first_face; i < cluster.first_face + cluster.face_count; ++i) {
+      const uint32_t face = tree.cluster_faces()[i];
+      const LobeWeights w = lobes_of_normal(tree.face_normal(face));
+      const float share = static_cast<float>(tree.face_area(face)) / node.area;
+      for (int l = 0; l < 3; ++l) {
+        const float of_lobe = share * w.weight[l] / std::max(cluster.lobe_share[w.lobe[l]], 1e-20f);
+        if (w.weight[l] > 1e-4f) add(nodes + face, node.slot + static_cast<size_t>(w.lobe[l]), of_lobe);
+      }
+    }
+  }
+  return radiance;
+}
+
 }  // namespace
 
-Views views_of(const Workspace& work, uint64_t* rays) {
+std::vector<float> openness_of(const Workspace& work, uint64_t* rays) {
   const std::vector<Node>& nodes = work.tree.nodes();
-  const LeafFunctions lit(nodes.size(), std::vector<Rgb>(1));
-  const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, lit, kLeafRays);
-  Views views;
-  for (std::vector<float>* v : {&views.row_sums, &views.column_sums}) v->assign(nodes.size(), 1.0f);
+  const LightFunctions unseen;
+  const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, unseen, kLeafRays);
+  std::vector<float> openness(nodes.size(), 1.0f);
   std::vector<uint64_t> counts(nodes.size(), 0);
   parallel_for(nodes.size(), 16, [&](size_t begin, size_t end) {
     for (size_t n = begin; n < end; ++n) {
-      if (nodes[n].first_child != kNone) continue;
+      if (!nodes[n].is_leaf()) continue;
       const FinalGather::View view = gather.view_of(static_cast<uint32_t>(n), &counts[n]);
-      views.row_sums[n] = view.lit / std::max(1 - view.dead, kLeastOpen);  // of the exposed part
-      views.column_sums[n] = view.lit;
+      openness[n] = view.lit / std::max(1 - view.dead, kLeastOpen);
     }
   });
   *rays += sum_of(counts);
-  return views;
+  return openness;
 }
 
-PackedLeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& phase) {
+DirectOfLights::DirectOfLights(const Workspace& work, const DirectPhase& phase, const Field& kept)
+    : work_(work), kept_(kept) {
+  const NodeTree& tree = work.tree;
   std::vector<uint32_t> all_cells(work.grid.cell_count());
   std::iota(all_cells.begin(), all_cells.end(), 0u);
-  const std::vector<Node>& nodes = work.tree.nodes();
-  PackedLeafFunctions direct(nodes.size());
-  parallel_for(direct.size(), 8, [&](size_t begin, size_t end) {
-    for (size_t n = begin; n < end; ++n) {
-      if (nodes[n].first_child != kNone) continue;
-      direct[n] = PackedFunction(phase.mean_irradiance(nodes[n].element, all_cells));
+  std::vector<uint32_t> lights;
+  for (const uint32_t light : lights_of(tree))
+    if (!is_uniform(tree.builder().mesh().elements[surface_of(tree, light).element])) lights.push_back(light);
+  held_ = LightFunctions(tree.light_count(), lights, work.grid.node_count());
+  parallel_for(lights.size(), 8, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const std::vector<Rgb> mean = phase.mean_irradiance(surface_of(tree, lights[i]).element, all_cells);
+      for (size_t d = 0; d < mean.size(); ++d) held_.set(lights[i], d, mean[d]);
     }
   });
-  return direct;
 }
 
-TransportResult propagate_all(const TransportInput& input, LeafFunctions* radiance) {
-  constexpr uint32_t kBlock = 24;  // dates: the working set of some thousand nodes stays in the cache
-  const uint32_t dates = input.grid->node_count();
-  const uint32_t blocks = (dates + kBlock - 1) / kBlock;
-  const std::vector<Node>& nodes = input.tree->nodes();
-  radiance->assign(nodes.size(), {});
-  for (size_t n = 0; n < nodes.size(); ++n)
-    if (nodes[n].first_child == kNone) (*radiance)[n].resize(dates);
-  std::vector<TransportResult> results(blocks);
+std::vector<Rgb> DirectOfLights::irradiance(uint32_t light, uint32_t first, uint32_t count) const {
+  const auto order = static_cast<size_t>(work_.grid.order);
+  std::vector<Rgb> values(count * order);
+  if (!held_.has(light)) {
+    const Element& element = work_.tree.builder().mesh().elements[surface_of(work_.tree, light).element];
+    add_values(work_.grid, kept_, element.vertices[0], first, count, values.data());
+    return values;
+  }
+  for (size_t i = 0; i < values.size(); ++i) values[i] = held_.get(light, first * order + i);
+  return values;
+}
+
+LightFunctions propagate_all(const Workspace& work, const DirectOfLights& direct, TransportInput input,
+                             int* iterations, double* residual) {
+  constexpr uint32_t kBlock = 12;  // dates: the working set of some thousand nodes stays in the cache
+  const NodeTree& tree = work.tree;
+  const auto order = static_cast<uint32_t>(work.grid.order);
+  const uint32_t cells = work.grid.cell_count(), block_cells = std::max(1u, kBlock / order);
+  const std::vector<uint32_t> lights = lights_of(tree);
+  LightFunctions radiance(tree.light_count(), lights, work.grid.node_count());
+  const uint32_t blocks = (cells + block_cells - 1) / block_cells;
+  std::vector<int> block_iterations(blocks);
+  std::vector<double> block_residuals(blocks);
   parallel_for(blocks, 1, [&](size_t begin, size_t end) {
     for (size_t b = begin; b < end; ++b) {
-      const uint32_t first = static_cast<uint32_t>(b) * kBlock;
-      std::vector<uint32_t> block(std::min(kBlock, dates - first));
-      std::iota(block.begin(), block.end(), first);
-      std::vector<Rgb> of_block;
-      results[b] = propagate(input, block, first, &of_block);
-      for (size_t n = 0; n < nodes.size(); ++n)
-        if (nodes[n].first_child == kNone)
-          std::copy_n(of_block.begin() + static_cast<ptrdiff_t>(n * block.size()), block.size(),
-                      (*radiance)[n].begin() + first);
+      const uint32_t first = static_cast<uint32_t>(b) * block_cells;
+      const uint32_t count = std::min(block_cells, cells - first);
+      std::vector<uint32_t> dates(count * order);
+      std::iota(dates.begin(), dates.end(), first * order);
+      const std::vector<Rgb> from_direct = direct_of_slots(work, direct, first, count);
+      TransportInput of_block = input;
+      of_block.direct = [&](size_t slot, size_t i) { return from_direct[slot * dates.size() + i]; };
+      const NodeLight light = propagate(of_block, dates, 0);
+      block_iterations[b] = light.iterations;
+      block_residuals[b] = light.residual;
+      for (const uint32_t l : lights) {
+        if (l < tree.nodes().size()) {
+          const size_t slot = tree.nodes()[l].slot;
+          for (size_t d = 0; d < dates.size(); ++d)
+            radiance.set(l, dates[d], light.radiance[slot * dates.size() + d]);
+          continue;
+        }
+        const uint32_t face = l - static_cast<uint32_t>(tree.nodes().size());
+        const Node& cluster = tree.nodes()[tree.node_of_face(face)];
+        const LobeWeights w = lobes_of_normal(tree.face_normal(face));
+        std::vector<Rgb> e = direct.irradiance(l, first, count);
+        for (int i = 0; i < 3; ++i) {
+          const Rgb* from = &light.irradiance[(cluster.slot + static_cast<size_t>(w.lobe[i])) * dates.size()];
+          for (size_t d = 0; d < dates.size(); ++d) e[d] += w.weight[i] * from[d];
+        }
+        const Rgb brdf = surface_of(tree, l).brdf;
+        for (size_t d = 0; d < dates.size(); ++d) radiance.set(l, dates[d], brdf * e[d]);
+      }
     }
   });
-  TransportResult worst;
-  for (const TransportResult& r : results) {
-    worst.iterations = std::max(worst.iterations, r.iterations);
-    worst.residual = std::max(worst.residual, r.residual);
-  }
-  return worst;
+  *iterations = *std::max_element(block_iterations.begin(), block_iterations.end());
+  *residual = *std::max_element(block_residuals.begin(), block_residuals.end());
+  return radiance;
 }
 
-double mean_radiance(const NodeTree& tree, const LeafFunctions& radiance) {
+double mean_radiance(const NodeTree& tree, const LightFunctions& radiance) {
   double sum = 0, area = 0;
-  for (size_t n = 0; n < radiance.size(); ++n) {
-    double of_node = 0;
-    for (const Rgb& l : radiance[n]) of_node += (l.r + l.g + l.b) / 3;
-    if (!(of_node > 0)) continue;
-    sum += tree.nodes()[n].area * of_node / static_cast<double>(radiance[n].size());
-    area += tree.nodes()[n].area;
+  for (const uint32_t light : radiance.lights()) {
+    double of_light = 0;
+    for (size_t d = 0; d < radiance.dates(); ++d) {
+      const Rgb l = radiance.get(light, d);
+      of_light += (l.r + l.g + l.b) / 3;
+    }
+    if (!(of_light > 0)) continue;
+    const double a = surface_of(tree, light).area;
+    sum += a * of_light / static_cast<double>(radiance.dates());
+    area += a;
   }
   return area > 0 ? sum / area : 0;
 }
 
-uint64_t settle_by_rays(const Workspace& work, const PackedLeafFunctions& direct, LeafFunctions* radiance) {
+uint64_t settle_by_rays(const Workspace& work, const DirectOfLights& direct, LightFunctions* radiance) {
   constexpr int kBounces = 2;
   uint64_t rays = 0;
   double totals[kBounces + 1] = {total_of(work.tree, *radiance)};
@@ -144,8 +246,8 @@ uint64_t settle_by_rays(const Workspace& work, const PackedLeafFunctions& direct
   const double factor = first != 0 ? std::clamp(second / first, 0.0, 0.8) : 0;
   const double limit = totals[kBounces] + second * factor / (1 - factor);
   const auto scale = static_cast<float>(totals[kBounces] > 0 ? limit / totals[kBounces] : 1);
-  for (std::vector<Rgb>& of_leaf : *radiance)
-    for (Rgb& l : of_leaf) l = scale * l;
+  for (const uint32_t light : radiance->lights())
+    for (size_t d = 0; d < radiance->dates(); ++d) radiance->set(light, d, scale * radiance->get(light, d));
   return rays;
 }
 

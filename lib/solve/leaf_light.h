@@ -7,17 +7,13 @@
 #include "base/rgb.h"
 #include "light/tracer.h"
 #include "solve/direct_phase.h"
+#include "solve/light_functions.h"
 #include "solve/nodes.h"
-#include "solve/packed_function.h"
 #include "solve/swept.h"
 #include "solve/transport.h"
 #include "time/time_grid.h"
 
 namespace strad {
-
-// A function of time of each node, at every node of the grid; empty for nodes that are no leaves.
-using LeafFunctions = std::vector<std::vector<Rgb>>;
-using PackedLeafFunctions = std::vector<PackedFunction>;
 
 // What the solve works on. All outlive the functions below.
 struct Workspace {
@@ -27,24 +23,36 @@ struct Workspace {
   const SweptBounds& swept;
 };
 
-// What each leaf sees, at the middle of the animation.
-struct Views {
-  std::vector<float> row_sums, column_sums;  // see balance()
+// The share of surfaces that take part in what each leaf sees of the exposed part of itself, at the middle of
+// the animation, by node.
+std::vector<float> openness_of(const Workspace& work, uint64_t* rays);
+
+// Mean direct irradiance of lights, W / m^2: held for patches and large faces, read for uniform ones.
+class DirectOfLights {
+ public:
+  // `kept`: what the phase will give or has given to keep, of which only uniform faces are read, and not
+  // before `irradiance` is called. Keeps `work` and `kept`.
+  DirectOfLights(const Workspace& work, const DirectPhase& phase, const Field& kept);
+
+  // At the nodes of `count` cells from `first` on.
+  std::vector<Rgb> irradiance(uint32_t light, uint32_t first, uint32_t count) const;
+
+ private:
+  const Workspace work_;
+  const Field& kept_;
+  LightFunctions held_;
 };
-Views views_of(const Workspace& work, uint64_t* rays);
 
-// Mean direct irradiance of the leaves, W / m^2.
-PackedLeafFunctions direct_of_leaves(const Workspace& work, const DirectPhase& phase);
+// Radiance reflected by the lights, W / (sr m^2), along links. `input.direct` need not be set.
+LightFunctions propagate_all(const Workspace& work, const DirectOfLights& direct, TransportInput input,
+                             int* iterations, double* residual);
 
-// Radiance reflected by the leaves, W / (sr m^2), along links; `input.direct` by the dates of the grid.
-TransportResult propagate_all(const TransportInput& input, LeafFunctions* radiance);
-
-// Mean radiance of the leaves that are lit, over area and time.
-double mean_radiance(const NodeTree& tree, const LeafFunctions& radiance);
+// Mean radiance of the lights that are lit, over area and time.
+double mean_radiance(const NodeTree& tree, const LightFunctions& radiance);
 
 // Takes out what is left of the links' errors, which are sums of small ones of one sign: bounces by rays,
 // which are unbiased, shrink it by one factor each; the factor is seen from two bounces and the rest of the
 // geometric series added at once (Aitken's extrapolation). Returns the rays traced.
-uint64_t settle_by_rays(const Workspace& work, const PackedLeafFunctions& direct, LeafFunctions* radiance);
+uint64_t settle_by_rays(const Workspace& work, const DirectOfLights& direct, LightFunctions* radiance);
 
 }  // namespace strad

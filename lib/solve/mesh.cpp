@@ -70,21 +70,6 @@ Vec2 quad_parametric(const Scene& scene, const Polygon& polygon, Vec3 rest_point
                           orientation);
 }
 
-// The child of a quad that holds `uv`, which becomes the position in the child.
-uint32_t quad_child(Vec2* uv) {
-  const bool right = uv->x >= 0.5, top = uv->y >= 0.5;
-  *uv = {2 * uv->x - right, 2 * uv->y - top};
-  return top ? (right ? 2 : 3) : (right ? 1 : 0);
-}
-
-uint32_t triangle_child(Vec2* uv) {
-  const double u = 2 * uv->x, v = 2 * uv->y;
-  if (u >= 1) return *uv = {u - 1, v}, 1;
-  if (v >= 1) return *uv = {u, v - 1}, 2;
-  if (u + v <= 1) return *uv = {u, v}, 0;
-  return *uv = {1 - u, 1 - v}, 3;
-}
-
 }  // namespace
 
 Vec3 polygon_normal(const Scene& scene, const Polygon& polygon) {
@@ -104,6 +89,35 @@ Vec3 point_of(const Scene& scene, const Polygon& polygon, Vec2 uv) {
   const Vec3 c0 = corner(scene, polygon, 0), c1 = corner(scene, polygon, 1), c2 = corner(scene, polygon, 2);
   if (polygon.corner_count() == 3) return c0 + uv.x * (c1 - c0) + uv.y * (c2 - c0);
   return lerp(lerp(c0, c1, uv.x), lerp(corner(scene, polygon, 3), c2, uv.x), uv.y);
+}
+
+int corners_of(const Scene& scene, const Polygon& polygon, const Mesh& mesh, const Element& element,
+               Vec3* corners) {
+  const int count = element.corner_count();
+  for (int i = 0; i < count; ++i)
+    corners[i] =
+        is_uniform(element) ? corner(scene, polygon, i) : mesh.vertices[element.vertices[i]].position;
+  return count;
+}
+
+double area_of(const Vec3* corners, int count) {
+  double area = length(cross(corners[1] - corners[0], corners[2] - corners[0])) / 2;
+  if (count == 4) area += length(cross(corners[2] - corners[0], corners[3] - corners[0])) / 2;
+  return area;
+}
+
+uint32_t quad_child(Vec2* uv) {
+  const bool right = uv->x >= 0.5, top = uv->y >= 0.5;
+  *uv = {2 * uv->x - right, 2 * uv->y - top};
+  return top ? (right ? 2 : 3) : (right ? 1 : 0);
+}
+
+uint32_t triangle_child(Vec2* uv) {
+  const double u = 2 * uv->x, v = 2 * uv->y;
+  if (u >= 1) return *uv = {u - 1, v}, 1;
+  if (v >= 1) return *uv = {u, v - 1}, 2;
+  if (u + v <= 1) return *uv = {u, v}, 0;
+  return *uv = {1 - u, 1 - v}, 3;
 }
 
 MeshPoint locate(const Mesh& mesh, uint32_t face, Vec2 uv) {

@@ -29,6 +29,9 @@ struct Element {
   int corner_count() const { return vertices[3] == kNone ? 3 : 4; }
 };
 
+// A polygon too small to be divided is uniform: all corners of its only element are one vertex.
+inline bool is_uniform(const Element& element) { return element.vertices[0] == element.vertices[1]; }
+
 // One side of a polygon that light reaches at some time.
 struct Face {
   uint32_t polygon = 0;
@@ -47,6 +50,15 @@ struct Mesh {
 // (0,0), (1,0), (1,1), (0,1); of a triangle p = c0 + u (c1 - c0) + v (c2 - c0). Clamped into the polygon.
 Vec2 parametric_of(const Scene& scene, const Polygon& polygon, Vec3 rest_point);
 Vec3 point_of(const Scene& scene, const Polygon& polygon, Vec2 uv);
+
+// The child of a split quad or triangle that holds `uv`, which becomes the position in the child.
+uint32_t quad_child(Vec2* uv);
+uint32_t triangle_child(Vec2* uv);
+
+// Corners of an element that lies on `polygon`, rest; returns how many.
+int corners_of(const Scene& scene, const Polygon& polygon, const Mesh& mesh, const Element& element,
+               Vec3* corners);
+double area_of(const Vec3* corners, int count);
 
 // Where an interpolated value comes from: at most four vertices and their weights (sum 1), and the leaf.
 struct MeshPoint {

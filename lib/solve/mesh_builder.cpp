@@ -10,6 +10,8 @@
 namespace strad {
 namespace {
 
+constexpr double kLargeFace = 1.0 / 12;  // of the scene's diagonal
+
 uint64_t edge_key(uint32_t a, uint32_t b) {
   return (static_cast<uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
 }
@@ -25,6 +27,22 @@ std::vector<uint32_t> merged_positions(const std::vector<Vec3>& vertices) {
   return first;
 }
 
+Vec3 polygon_centre(const Scene& scene, const Polygon& polygon) {
+  Vec3 centre;
+  for (int c = 0; c < polygon.corner_count(); ++c)
+    centre += scene.vertices[polygon.corners[c]] / polygon.corner_count();
+  return centre;
+}
+
+double longest_edge(const Scene& scene, const Polygon& polygon) {
+  double longest = 0;
+  const int n = polygon.corner_count();
+  for (int c = 0; c < n; ++c)
+    longest = std::max(
+        longest, length(scene.vertices[polygon.corners[(c + 1) % n]] - scene.vertices[polygon.corners[c]]));
+  return longest;
+}
+
 }  // namespace
 
 size_t MeshBuilder::CornerHash::operator()(const CornerKey& key) const {
@@ -36,40 +54,90 @@ size_t MeshBuilder::CornerHash::operator()(const CornerKey& key) const {
 MeshBuilder::MeshBuilder(const Scene& scene)
     : scene_(scene), position_of_vertex_(merged_positions(scene.vertices)) {
   mesh_.face_of_side.assign(2 * scene.polygons.size(), kNone);
+  Box box;
+  for (const Vec3& v : scene.vertices) box.add(v);
+  large_ = kLargeFace * box.diagonal();
 }
 
 uint32_t MeshBuilder::face(uint32_t polygon, uint32_t side) {
-  uint32_t& face = mesh_.face_of_side[2 * polygon + side];
-  if (face != kNone) return face;
-  face = static_cast<uint32_t>(mesh_.faces.size());
+  const uint32_t known = mesh_.face_of_side[2 * polygon + side];
+  return known != kNone ? known : add_face(polygon, side, false);
+}
+
+uint32_t MeshBuilder::add_face(uint32_t polygon, uint32_t side, bool uniform) {
+  const auto face = static_cast<uint32_t>(mesh_.faces.size());
+  mesh_.face_of_side[2 * polygon + side] = face;
   const uint32_t root = add_element({}, face, kNone);
   mesh_.faces.push_back({polygon, side, root});
-  const int corners = scene_.polygons[polygon].corner_count();
-  for (int c = 0; c < corners; ++c) {
+  const Polygon& p = scene_.polygons[polygon];
+  if (uniform) {
+    MeshVertex vertex;
+    vertex.position = scene_.vertices[p.corners[0]];
+    std::fill_n(mesh_.elements[root].vertices, p.corner_count(),
+                static_cast<uint32_t>(mesh_.vertices.size()));
+    mesh_.vertices.push_back(vertex);
+    face_of_vertex_.push_back(face);
+    sample_points_.push_back(polygon_centre(scene_, p));
+    return face;
+  }
+  for (int c = 0; c < p.corner_count(); ++c) {
     const uint32_t vertex = corner_vertex(polygon, side, c);
     mesh_.elements[root].vertices[c] = vertex;
   }
   return face;
 }
 
-// Neighbours in one plane share their corners, so that light is continuous across them.
-uint32_t MeshBuilder::corner_vertex(uint32_t polygon, uint32_t side, int corner) {
+void MeshBuilder::add_faces(const std::vector<bool>& reached, double uniform_below) {
+  const auto is_small = [&](const Polygon& p) { return longest_edge(scene_, p) < uniform_below; };
+  std::unordered_map<CornerKey, uint32_t, CornerHash> users;  // looked up only, never iterated
+  const auto sides = static_cast<uint32_t>(reached.size());
+  for (uint32_t s = 0; s < sides; ++s)
+    if (reached[s] && is_small(scene_.polygons[s / 2]))
+      for (int c = 0; c < scene_.polygons[s / 2].corner_count(); ++c) ++users[corner_key(s / 2, s % 2, c)];
+  const auto is_uniform = [&](uint32_t s) {
+    const Polygon& p = scene_.polygons[s / 2];
+    if (!is_small(p)) return false;
+    double shared = 0;  // vertices that the polygon would need, its corners shared
+    for (int c = 0; c < p.corner_count(); ++c) shared += 1.0 / users[corner_key(s / 2, s % 2, c)];
+    return shared > 1;
+  };
+  std::vector<uint32_t> others;
+  for (uint32_t s = 0; s < sides; ++s) {
+    if (!reached[s]) continue;
+    if (is_uniform(s))
+      add_face(s / 2, s % 2, true);
+    else
+      others.push_back(s);
+  }
+  uniform_count_ = static_cast<uint32_t>(mesh_.vertices.size());
+  for (const uint32_t s : others) add_face(s / 2, s % 2, false);
+}
+
+double MeshBuilder::prominence(uint32_t face) const {
+  return std::clamp(longest_edge(scene_, scene_.polygons[mesh_.faces[face].polygon]) / large_, 1.0 / 6, 1.0);
+}
+
+MeshBuilder::CornerKey MeshBuilder::corner_key(uint32_t polygon, uint32_t side, int corner) const {
   const Polygon& p = scene_.polygons[polygon];
   const Vec3 n = polygon_normal(scene_, p);
   const auto coarse = [](double x) { return static_cast<int>(std::lround(x * 1000)); };
-  const CornerKey key{position_of_vertex_[p.corners[corner]],
-                      body_of(scene_, p),
-                      side,
-                      {coarse(n.x), coarse(n.y), coarse(n.z)}};
-  const auto [it, added] = corners_.try_emplace(key, static_cast<uint32_t>(mesh_.vertices.size()));
+  return {position_of_vertex_[p.corners[corner]],
+          body_of(scene_, p),
+          side,
+          {coarse(n.x), coarse(n.y), coarse(n.z)}};
+}
+
+// Neighbours in one plane share their corners, so that light is continuous across them.
+uint32_t MeshBuilder::corner_vertex(uint32_t polygon, uint32_t side, int corner) {
+  const auto [it, added] =
+      corners_.try_emplace(corner_key(polygon, side, corner), static_cast<uint32_t>(mesh_.vertices.size()));
   if (added) {
+    const Polygon& p = scene_.polygons[polygon];
     MeshVertex vertex;
     vertex.position = scene_.vertices[p.corners[corner]];
     mesh_.vertices.push_back(vertex);
     face_of_vertex_.push_back(mesh_.face_of_side[2 * polygon + side]);
-    Vec3 centre;
-    for (int c = 0; c < p.corner_count(); ++c) centre += scene_.vertices[p.corners[c]] / p.corner_count();
-    sample_points_.push_back(lerp(vertex.position, centre, 0.01));
+    sample_points_.push_back(lerp(vertex.position, polygon_centre(scene_, p), 0.01));
   }
   return it->second;
 }

@@ -18,6 +18,14 @@ class MeshBuilder {
 
   // The face of that side of a polygon; made with a single element when it is first asked for.
   uint32_t face(uint32_t polygon, uint32_t side);
+  // Makes the faces of all sides with reached[2 * polygon + side]. Those smaller than `uniform_below` (m)
+  // become uniform where that takes fewer vertices than sharing corners with neighbours in their plane.
+  void add_faces(const std::vector<bool>& reached, double uniform_below);
+  // Vertices below this are those of uniform faces, in the order of these faces, which come before all
+  // others.
+  uint32_t uniform_count() const { return uniform_count_; }
+  // How much of an error a face shows, by its longest edge: 1/6 (small ones, which may be less exact) to 1.
+  double prominence(uint32_t face) const;
   // Makes the four children of a leaf; their new vertices go to the end of the list.
   void split(uint32_t element);
 
@@ -40,6 +48,16 @@ class MeshBuilder {
   Mesh take() { return std::move(mesh_); }
 
  private:
+  struct CornerKey {
+    uint32_t position, body, side;
+    int normal[3];
+    bool operator==(const CornerKey&) const = default;
+  };
+  struct CornerHash {
+    size_t operator()(const CornerKey& key) const;
+  };
+  CornerKey corner_key(uint32_t polygon, uint32_t side, int corner) const;
+  uint32_t add_face(uint32_t polygon, uint32_t side, bool uniform);
   uint32_t corner_vertex(uint32_t polygon, uint32_t side, int corner);
   uint32_t add_vertex(MeshVertex vertex, uint32_t element);
   uint32_t edge_middle(uint32_t a, uint32_t b, uint32_t element);
@@ -49,18 +67,12 @@ class MeshBuilder {
 
   const Scene& scene_;
   Mesh mesh_;
+  double large_ = 0;  // m
+  uint32_t uniform_count_ = 0;
   std::vector<uint32_t> face_of_element_, parent_of_element_, face_of_vertex_;
   std::vector<Vec3> sample_points_;
   std::unordered_map<uint64_t, uint32_t> middle_of_edge_;  // looked up only, never iterated
   std::vector<uint32_t> position_of_vertex_;  // scene vertex: index of the first at the same place
-  struct CornerKey {
-    uint32_t position, body, side;
-    int normal[3];
-    bool operator==(const CornerKey&) const = default;
-  };
-  struct CornerHash {
-    size_t operator()(const CornerKey& key) const;
-  };
   std::unordered_map<CornerKey, uint32_t, CornerHash> corners_;
 };
 

@@ -44,4 +44,39 @@ class PackedFunction {
   std::vector<uint16_t> codes_;
 };
 
+// The same in 4 bytes a date: 11 bits of red and green, 10 of blue. For functions whose values are all of one
+// order, as indirect light is.
+class TightFunction {
+ public:
+  TightFunction() = default;
+  explicit TightFunction(const std::vector<Rgb>& values) {
+    for (const Rgb& v : values) largest_ = std::max(largest_, max_channel(v));
+    codes_.reserve(values.size());
+    const float scale = largest_ > 0 ? 1 / largest_ : 0;
+    const auto code = [&](float v, float most) {
+      return static_cast<uint32_t>(std::clamp(v * scale * most + 0.5f, 0.0f, most));
+    };
+    for (const Rgb& v : values)
+      codes_.push_back(code(v.r, 2047) << 21 | code(v.g, 2047) << 10 | code(v.b, 1023));
+  }
+
+  bool empty() const { return codes_.empty(); }
+  size_t size() const { return codes_.size(); }
+  Rgb operator[](size_t i) const {
+    const uint32_t c = codes_[i];
+    return {largest_ / 2047 * static_cast<float>(c >> 21),
+            largest_ / 2047 * static_cast<float>(c >> 10 & 2047),
+            largest_ / 1023 * static_cast<float>(c & 1023)};
+  }
+  std::vector<Rgb> unpacked() const {
+    std::vector<Rgb> values(size());
+    for (size_t i = 0; i < values.size(); ++i) values[i] = (*this)[i];
+    return values;
+  }
+
+ private:
+  float largest_ = 0;
+  std::vector<uint32_t> codes_;
+};
+
 }  // namespace strad

@@ -46,14 +46,36 @@ class Surfaces {
       return std::tie(a.low.x, a.low.y, a.low.z, a.high.x, a.high.y, a.high.z, a.polygon) <
              std::tie(b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z, b.polygon);
     });
-    for (size_t i = 1; i < edges.size(); ++i) {
-      const Edge &a = edges[i - 1], &b = edges[i];
-      if (!(a.low == b.low) || !(a.high == b.high)) continue;
-      // Two neighbours wound alike run along their common edge in opposite directions.
-      const uint32_t turned = a.forward == b.forward;
-      join(2 * a.polygon, 2 * b.polygon + turned);
-      join(2 * a.polygon + 1, 2 * b.polygon + 1 - turned);
+    std::vector<bool> open(scene.polygons.size(), false);
+    for (size_t i = 0; i < edges.size();) {
+      size_t end = i + 1;
+      int balance = edges[i].forward ? 1 : -1;
+      for (; end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high; ++end)
+        balance += edges[end].forward ? 1 : -1;
+      if (end - i == 2) {
+        const Edge &a = edges[i], &b = edges[i + 1];
+        // Two neighbours wound alike run along their common edge in opposite directions.
+        const uint32_t turned = a.forward == b.forward;
+        join(2 * a.polygon, 2 * b.polygon + turned);
+        join(2 * a.polygon + 1, 2 * b.polygon + 1 - turned);
+      }
+      for (; i < end; ++i)
+        if (balance != 0) open[edges[i].polygon] = true;
     }
+    volume_.assign(parent_.size(), 0.0);
+    open_.assign(parent_.size(), false);
+    for (uint32_t side = 0; side < parent_.size(); ++side) {
+      const Polygon& polygon = scene.polygons[side / 2];
+      if (open[side / 2]) open_[find(side)] = true;
+      const auto at = [&](int i) { return scene.vertices[polygon.corners[i]]; };
+      for (int i = 2; i < polygon.corner_count(); ++i)
+        volume_[find(side)] += (side % 2 ? -1 : 1) * dot(at(0), cross(at(i - 1), at(i)));
+    }
+  }
+  // Is this the inner side of a surface that bounds a solid?
+  bool is_inside(uint32_t side) {
+    const uint32_t surface = find(side);
+    return !open_[surface] && volume_[surface] < 0;
   }
   uint32_t find(uint32_t side) {
     while (parent_[side] != side) side = parent_[side] = parent_[parent_[side]];
@@ -66,6 +88,8 @@ class Surfaces {
     parent_[std::max(a, b)] = std::min(a, b);
   }
   std::vector<uint32_t> parent_;
+  std::vector<double> volume_;  // six times that which the surface bounds, negative seen from within
+  std::vector<bool> open_;
 };
 
 struct Start {
@@ -154,7 +178,8 @@ std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const 
   for (uint32_t side = 0; side < sides; ++side) {
     const uint32_t surface = surfaces.find(side);
     const double expected = total_hits * area[surface] / total_area;
-    reached[side] = hits[surface] > kDarkShare * expected || (expected < kEnough && total_hits > 0);
+    const bool too_small = expected < kEnough && total_hits > 0;
+    reached[side] = hits[surface] > kDarkShare * expected || (too_small && !surfaces.is_inside(side));
   }
   return reached;
 }

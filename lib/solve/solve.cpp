@@ -14,19 +14,19 @@
 #include "solve/final_gather.h"
 #include "solve/indirect_phase.h"
 #include "solve/leaf_light.h"
+#include "solve/link_light.h"
 #include "solve/power.h"
 #include "solve/reach.h"
-#include "solve/refinement.h"
-#include "solve/transport.h"
 
 namespace strad {
 namespace {
 
-constexpr int kVertexRays = 512;  // noise of a vertex below 1 %, fixed in time
+// Noise of a vertex below 1 %, of a small face 3 %, fixed in time.
+constexpr FinalGather::Rays kRays{512, 128};
 
-// Nodes of the grid for the whole animation: one for every 1.6 frames, at least 24.
+// Nodes of the grid for the whole animation: one for every 3.2 frames, at least 24.
 int sample_count(const Scene& scene, double begin, double end) {
-  return static_cast<int>(std::max(24.0, (end - begin) * scene.rate / 1.6));
+  return static_cast<int>(std::max(24.0, (end - begin) * scene.rate / 3.2));
 }
 
 TimeGrid grid_for(const Scene& scene, const SolveOptions& options) {
@@ -36,13 +36,6 @@ TimeGrid grid_for(const Scene& scene, const SolveOptions& options) {
   for (const double t : step_times(scene))
     if (t > begin && t < end) steps.push_back(t);
   return make_time_grid(begin, end, steps, options.order, sample_count(scene, begin, end));
-}
-
-std::vector<uint32_t> strided_dates(uint32_t count, uint32_t wanted) {
-  std::vector<uint32_t> dates;
-  const uint32_t n = std::min(count, wanted);
-  for (uint32_t i = 0; i < n; ++i) dates.push_back(static_cast<uint32_t>((i + 0.5) * count / n));
-  return dates;
 }
 
 Rgb mean_of(const Texture& texture) {
@@ -78,20 +71,22 @@ struct Stopwatch {
 };
 
 // Direct light: every face split where it varies. `mean`: mean radiance to expect.
-DirectOptions direct_options(double diagonal, double error, double mean) {
+DirectOptions direct_options(double diagonal, double error, double mean, float tolerance) {
   DirectOptions options;
   options.largest_element = diagonal / 24;
   options.smallest_element = diagonal / 600;
   // Some thousands of elements are alive at an instant, and their squared errors add up.
   options.threshold = static_cast<float>(error * mean / 5);
+  options.tolerance = tolerance;
   return options;
 }
 
-IndirectOptions indirect_options(double diagonal, double error, double mean) {
+IndirectOptions indirect_options(double diagonal, double error, double mean, float tolerance) {
   IndirectOptions options;
   options.largest_element = diagonal / 12;
   options.smallest_element = diagonal / 100;
-  options.threshold = static_cast<float>(error * mean / 3);
+  options.threshold = static_cast<float>(error * mean / 8);
+  options.tolerance = tolerance;
   return options;
 }
 
@@ -114,14 +109,6 @@ void check(const Scene& scene, const SolveOptions& options) {
   if (options.end) within(*options.end, "end");
   if (options.begin.value_or(scene.start) > options.end.value_or(scene.end))
     throw BadInput("the slab of time ends before it begins");
-}
-
-void count(const Refinement& refinement, const IndirectPhase& phase, PhaseStats* stats) {
-  stats->rays += refinement.counts().rays + phase.rays();
-  stats->links = refinement.links().size();
-  stats->links_refined_in_time = refinement.counts().refined_in_time;
-  stats->links_refined_in_space = refinement.counts().refined_in_space;
-  stats->kernel_evaluations = refinement.counts().evaluations;
 }
 
 void measure(const Slab& slab, SolveStats* stats) {
@@ -166,14 +153,13 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
   const SweptBounds swept(scene, tracer, grid);
   const double diagonal = tracer.scene_box().diagonal();
   const double expected = expected_mean_radiance(scene, instants);
-  const auto tolerance = static_cast<float>(options.error * expected * kPi / 8);
+  const auto tolerance = static_cast<float>(options.error * expected * kPi / 5);
 
   MeshBuilder builder(scene);
   const std::vector<bool> reached = reached_sides(scene, tracer, grid);
-  for (uint32_t side = 0; side < reached.size(); ++side)
-    if (reached[side]) builder.face(side / 2, side % 2);
-  DirectPhase direct(scene, tracer, grid, instants, direct_options(diagonal, options.error, expected),
-                     &builder);
+  builder.add_faces(reached, diagonal / 100);
+  DirectPhase direct(scene, tracer, grid, swept, instants,
+                     direct_options(diagonal, options.error, expected, tolerance), &builder);
   direct.run();
   out.direct.kernel_evaluations = direct.evaluations();
   out.direct.rays = direct.rays();
@@ -181,62 +167,35 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
 
   const Stopwatch rest;
   report(0.3, "links");
-  NodeTree tree(scene, &builder);
+  NodeTree tree(scene, &builder, options.clusters);
   const Workspace work{grid, tree, tracer, swept};
-  const KernelEvaluator kernels(tree, tracer, grid, swept);
-  const std::vector<uint32_t> watched = strided_dates(grid.node_count(), 32);
-  Refinement refinement(grid, kernels, direct, watched, &tree);
-  RefinementOptions refine_options;
-  refine_options.smallest_radius = diagonal / 150;
-  Balance scales;
-  Views views;
-  LinkTable table;
-  TransportInput input{&grid,   &tree,
-                       &table,  [&](size_t n, size_t i) { return refinement.direct()[n][i]; },
-                       &scales, options.residual,
-                       100};
-  for (const double looseness : {16.0, 4.0, 1.0}) {
-    refine_options.threshold = looseness * options.error * expected / 8;
-    refinement.refine(refine_options);
-    table = make_link_table(grid, static_cast<uint32_t>(tree.nodes().size()), refinement.links());
-    views = views_of(work, &out.indirect.rays);
-    scales = balance(grid, tree, refinement.links(), views.row_sums, views.column_sums);
-    std::vector<Rgb> radiance;
-    propagate(input, watched, 0, &radiance);
-    refinement.update_radiance(radiance);
-  }
-
-  report(0.5, "propagation");
-  PackedLeafFunctions leaf_direct = direct_of_leaves(work, direct);
-  slab.direct = direct.surpluses(tolerance);
-  malloc_trim(0);  // many small functions were freed: give their pages back before the leaves take theirs
-  input.direct = [&](size_t n, size_t i) { return leaf_direct[n][i]; };
-  LeafFunctions radiance;
-  const TransportResult result = propagate_all(input, &radiance);
+  std::optional<LinkLight> light =
+      light_along_links(work, instants, {options.error * expected / 8, diagonal / 150, options.residual},
+                        &tree, &direct, &slab.direct, &out);
   malloc_trim(0);
-  out.iterations = result.iterations;
-  out.residual = result.residual;
-  const double mean = mean_radiance(tree, radiance);
+  const double mean = mean_radiance(tree, light->radiance);
 
   report(0.6, "bounces");
-  out.indirect.rays += settle_by_rays(work, leaf_direct, &radiance);
-  leaf_direct = {};
-  table = {};
+  out.indirect.rays += settle_by_rays(work, light->direct, &light->radiance);
+  LightFunctions radiance = std::move(light->radiance);
+  light.reset();
   malloc_trim(0);
 
   report(0.7, "final gather");
-  const FinalGather gather(tree, tracer, grid, swept, radiance, kVertexRays);
-  IndirectPhase indirect(scene, grid, gather, indirect_options(diagonal, options.error, mean), &builder);
+  const FinalGather gather(tree, tracer, grid, swept, radiance, kRays);
+  IndirectPhase indirect(scene, grid, gather, indirect_options(diagonal, options.error, mean, tolerance),
+                         &builder);
   indirect.run();
-  slab.indirect = indirect.surpluses(tolerance);
+  radiance = {};
+  malloc_trim(0);
+  slab.indirect = indirect.surpluses();
   slab.mesh = builder.take();
   // Vertices that indirect light has added since have no direct light of their own.
   slab.direct.first_piece.resize(slab.mesh.vertices.size() + 1, slab.direct.first_piece.back());
 
-  count(refinement, indirect, &out.indirect);
+  out.indirect.rays += indirect.rays();
   rest.into(&out.indirect);
   all.into(&out.total);
-  out.link_bytes = refinement.links().size() * sizeof(Link);
   measure(slab, &out);
   return slab;
 }

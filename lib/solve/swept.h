@@ -25,6 +25,10 @@ class SweptBounds {
   // Can a moving body other than `a` and `b`'s own come between two spheres (world) during the interval?
   bool may_block(Vec3 centre_a, double radius_a, Vec3 centre_b, double radius_b, Interval interval) const;
 
+  // May the segment from `from` to from + reach * direction meet a moving body, ever or during a cell?
+  bool may_meet(Vec3 from, Vec3 direction, double reach) const;
+  bool may_meet_in(uint32_t cell, Vec3 from, Vec3 direction, double reach) const;
+
   // Poses at the beginning, inside, and end of cells: `cell_coordinate` within the span of `interval`. A step
   // at an end of a span is seen from inside the span.
   std::vector<Pose> poses(Interval interval, double s) const;
@@ -38,6 +42,7 @@ class SweptBounds {
   std::vector<uint32_t> moving_list_;                       // moving bodies that have surfaces
   std::vector<std::vector<Pose>> begin_poses_, end_poses_;  // [cell]
   std::vector<std::vector<Box>> boxes_;                     // [index in moving_list_][cell]
+  std::vector<Box> all_time_boxes_;                         // [index in moving_list_]
 };
 
 }  // namespace strad

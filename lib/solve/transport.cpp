@@ -3,97 +3,59 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/gather_links.h"
+
 namespace strad {
 namespace {
 
-// Kernel of a dynamic link at each of the dates; zero outside its interval.
-void kernel_at(const TimeGrid& grid, const LinkTable::Dynamic& link, const std::vector<uint32_t>& dates,
-               float* kernel) {
-  const auto order = static_cast<uint32_t>(grid.order);
-  for (size_t i = 0; i < dates.size(); ++i) {
-    const uint32_t cell = dates[i] / order;
-    kernel[i] = 0;
-    if (cell < link.interval.cell || cell >= link.interval.cell + link.interval.cell_count()) continue;
-    const double s =
-        (cell - link.interval.cell + gauss_nodes(grid.order)[dates[i] % order]) / link.interval.cell_count();
-    double weights[kMaxOrder];
-    lagrange_weights(grid.order, s, weights);
-    for (uint32_t k = 0; k < order; ++k) kernel[i] += static_cast<float>(weights[k]) * link.kernel[k];
-    kernel[i] = std::max(kernel[i], 0.0f);  // a polynomial may undershoot where visibility steps
-  }
-}
+size_t slots_of(const Node& node) { return node.is_cluster() ? kLobes : 1; }
 
-// Calls add(receiver, emitter, kernel of every date or nullptr, constant kernel) for all links at the dates.
-class Gather {
- public:
-  Gather(const TransportInput& input, const std::vector<uint32_t>& dates)
-      : links_(*input.links), count_(dates.size()) {
-    const auto order = static_cast<uint32_t>(input.grid->order);
-    const uint32_t first = dates.front() / order, last = dates.back() / order;
-    const size_t nodes = links_.first_dynamic.size() - 1;
-    first_dynamic_.push_back(0);
-    for (size_t p = 0; p < nodes; ++p) {
-      for (uint32_t i = links_.first_dynamic[p]; i < links_.first_dynamic[p + 1]; ++i) {
-        const LinkTable::Dynamic& link = links_.dynamic[i];
-        if (link.interval.cell > last || link.interval.cell + link.interval.cell_count() <= first) continue;
-        emitters_.push_back(link.emitter);
-        kernels_.resize(kernels_.size() + count_);
-        kernel_at(*input.grid, link, dates, kernels_.data() + kernels_.size() - count_);
-      }
-      first_dynamic_.push_back(static_cast<uint32_t>(emitters_.size()));
-    }
-  }
-
-  // irradiance[receiver] += sum of kernel * radiance[emitter]; arrays of 3 * count floats a node.
-  void run(const float* radiance, float* irradiance) const {
-    const size_t width = 3 * count_;
-    for (size_t p = 0; p + 1 < first_dynamic_.size(); ++p) {
-      float* e = irradiance + p * width;
-      for (uint32_t i = links_.first_still[p]; i < links_.first_still[p + 1]; ++i) {
-        const float* l = radiance + links_.still[i].emitter * width;
-        const float k = links_.still[i].kernel;
-        for (size_t j = 0; j < width; ++j) e[j] += k * l[j];
-      }
-      for (uint32_t i = first_dynamic_[p]; i < first_dynamic_[p + 1]; ++i) {
-        const float* l = radiance + emitters_[i] * width;
-        const float* k = kernels_.data() + i * count_;
-        for (size_t j = 0; j < count_; ++j)
-          for (size_t c = 0; c < 3; ++c) e[3 * j + c] += k[j] * l[3 * j + c];
-      }
-    }
-  }
-
- private:
-  const LinkTable& links_;
-  size_t count_;
-  std::vector<uint32_t> first_dynamic_, emitters_;
-  std::vector<float> kernels_;
-};
-
+// Gives every node what its ancestors have gathered: immediate push.
 void push(const NodeTree& tree, size_t width, float* irradiance) {
-  const std::vector<Node>& nodes = tree.nodes();
-  for (size_t n = 0; n < nodes.size(); ++n) {  // parents come before their children
-    if (nodes[n].parent == kNone) continue;
-    const float* from = irradiance + nodes[n].parent * width;
-    float* to = irradiance + n * width;
-    for (size_t j = 0; j < width; ++j) to[j] += from[j];
+  for (const Node& node : tree.nodes()) {  // parents come before their children
+    if (node.parent == kNone) continue;
+    const Node& parent = tree.nodes()[node.parent];
+    const float* from = irradiance + parent.slot * width;
+    float* to = irradiance + node.slot * width;
+    if (!parent.is_cluster() || node.is_cluster()) {
+      for (size_t j = 0; j < slots_of(node) * width; ++j) to[j] += from[j];
+      continue;
+    }
+    const LobeWeights w = lobes_of_normal(node.normal);
+    for (int l = 0; l < 3; ++l)
+      for (size_t j = 0; j < width; ++j)
+        to[j] += w.weight[l] * from[static_cast<size_t>(w.lobe[l]) * width + j];
   }
 }
 
+// Mean radiance of every inner node from its children: delayed pull.
 void pull(const NodeTree& tree, size_t width, float* radiance) {
   const std::vector<Node>& nodes = tree.nodes();
   for (size_t n = nodes.size(); n-- > 0;) {
-    if (nodes[n].first_child == kNone) continue;
-    float* to = radiance + n * width;
-    std::fill_n(to, width, 0.0f);
-    float area = 0;
-    for (uint32_t c = 0; c < 4; ++c) area += nodes[nodes[n].first_child + c].area;
-    for (uint32_t c = 0; c < 4; ++c) {
-      const uint32_t child = nodes[n].first_child + c;
-      const float share = area > 0 ? nodes[child].area / area : 0.25f;
-      const float* from = radiance + child * width;
-      for (size_t j = 0; j < width; ++j) to[j] += share * from[j];
+    const Node& node = nodes[n];
+    if (node.is_leaf()) continue;
+    float* to = radiance + node.slot * width;
+    std::fill_n(to, slots_of(node) * width, 0.0f);
+    float area[kLobes] = {};
+    const auto add = [&](size_t lobe, float a, const float* from) {
+      area[lobe] += a;
+      for (size_t j = 0; j < width; ++j) to[lobe * width + j] += a * from[j];
+    };
+    for (uint32_t c = node.first_child; c < node.first_child + node.child_count; ++c) {
+      const Node& child = nodes[c];
+      const float* from = radiance + child.slot * width;
+      const float a = std::max(child.area, 1e-20f);
+      if (!node.is_cluster()) {
+        add(0, a, from);
+      } else if (!child.is_cluster()) {
+        const LobeWeights w = lobes_of_normal(child.normal);
+        for (int l = 0; l < 3; ++l) add(static_cast<size_t>(w.lobe[l]), a * w.weight[l], from);
+      } else {
+        for (size_t l = 0; l < kLobes; ++l) add(l, a * tree.cluster(child).lobe_share[l], from + l * width);
+      }
     }
+    for (size_t l = 0; l < slots_of(node); ++l)
+      for (size_t j = 0; j < width; ++j) to[l * width + j] *= area[l] > 0 ? 1 / area[l] : 0;
   }
 }
 
@@ -123,102 +85,113 @@ LinkTable make_link_table(const TimeGrid& grid, uint32_t node_count, const std::
   return table;
 }
 
-TransportResult propagate(const TransportInput& input, const std::vector<uint32_t>& dates,
-                          uint32_t first_column, std::vector<Rgb>* radiance) {
-  const std::vector<Node>& nodes = input.tree->nodes();
-  const size_t count = dates.size(), width = 3 * count;
-  const Gather gather(input, dates);
-  std::vector<Rgb> direct_at(nodes.size() * count);
-  for (size_t n = 0; n < nodes.size(); ++n)
-    if (nodes[n].first_child == kNone)
-      for (size_t j = 0; j < count; ++j) direct_at[n * count + j] = input.direct(n, first_column + j);
-  std::vector<float> irradiance(nodes.size() * width);
-  radiance->assign(nodes.size() * count, {});
-  float* l = &radiance->data()->r;
-  TransportResult result;
-  for (int i = 0; i <= input.max_iterations; ++i) {
-    if (i > 0) {
-      std::fill(irradiance.begin(), irradiance.end(), 0.0f);
-      gather.run(l, irradiance.data());
-      push(*input.tree, width, irradiance.data());
-    }
-    double change = 0, total = 0;
-    for (size_t n = 0; n < nodes.size(); ++n) {
-      if (nodes[n].first_child != kNone) continue;
-      const float scale = input.balance->receiver[n], emitter_scale = input.balance->emitter[n];
-      const Rgb brdf = (emitter_scale / static_cast<float>(kPi)) * nodes[n].reflectance;
-      float moved = 0, sum = 0;
-      for (size_t j = 0; j < count; ++j) {
-        const float* e = irradiance.data() + n * width + 3 * j;
-        const Rgb now = brdf * (direct_at[n * count + j] + scale * Rgb{e[0], e[1], e[2]});
-        Rgb& before = (*radiance)[n * count + j];
-        moved += std::abs(now.r - before.r) + std::abs(now.g - before.g) + std::abs(now.b - before.b);
-        sum += now.r + now.g + now.b;
-        before = now;
+std::vector<ClusterReflection> reflections_of(const NodeTree& tree) {
+  std::vector<ClusterReflection> all(tree.cluster_count());
+  const auto& faces = tree.builder().mesh().faces;
+  for (const Node& node : tree.nodes()) {
+    if (!node.is_cluster() || !node.is_leaf()) continue;
+    const Cluster& cluster = tree.cluster(node);
+    Rgb(&m)[kLobes][kLobes] = all[node.cluster].radiance;
+    float area[kLobes] = {};
+    for (uint32_t i = cluster.first_face; i < cluster.first_face + cluster.face_count; ++i) {
+      const uint32_t face = tree.cluster_faces()[i];
+      const auto a = static_cast<float>(std::max(tree.face_area(face), 1e-12));
+      const Material& material = tree.scene().materials[tree.scene().polygons[faces[face].polygon].material];
+      const LobeWeights w = lobes_of_normal(tree.face_normal(face));
+      for (int to = 0; to < 3; ++to) {
+        area[w.lobe[to]] += a * w.weight[to];
+        for (int from = 0; from < 3; ++from)
+          m[w.lobe[to]][w.lobe[from]] +=
+              (a * w.weight[to] * w.weight[from] / static_cast<float>(kPi)) * material.reflectance;
       }
-      change += static_cast<double>(nodes[n].area) * moved;
-      total += static_cast<double>(nodes[n].area) * sum;
     }
-    pull(*input.tree, width, l);
-    result = {i, total > 0 ? change / total : 0};
-    if (result.residual < input.residual) break;
+    for (int to = 0; to < kLobes; ++to)
+      for (Rgb& r : m[to]) r = (area[to] > 0 ? 1 / area[to] : 0) * r;
   }
-  // Links saw radiance scaled for their balance; all others see it as it is.
-  for (size_t n = 0; n < nodes.size(); ++n)
-    if (nodes[n].first_child == kNone)
-      for (size_t j = 0; j < count; ++j)
-        (*radiance)[n * count + j] = (1 / input.balance->emitter[n]) * (*radiance)[n * count + j];
-  pull(*input.tree, width, l);
-  return result;
+  return all;
 }
 
-Balance balance(const TimeGrid& grid, const NodeTree& tree, const std::vector<Link>& links,
-                const std::vector<float>& row_sums, const std::vector<float>& column_sums) {
-  const std::vector<Node>& nodes = tree.nodes();
-  Balance b{std::vector<float>(nodes.size(), 1.0f), std::vector<float>(nodes.size(), 1.0f)};
-  // Mean kernel of each link over all time.
-  std::vector<float> kernels(links.size(), 0.0f);
-  for (size_t i = 0; i < links.size(); ++i) {
-    const int dates = links[i].estimate.dynamic ? grid.order : 1;
-    for (int k = 0; k < dates; ++k) kernels[i] += links[i].estimate.kernel[k] / static_cast<float>(dates);
-    kernels[i] *=
-        static_cast<float>((interval_end(grid, links[i].interval) - interval_begin(grid, links[i].interval)) /
-                           std::max(1e-30, grid.spans.back().end - grid.spans.front().begin));
-    if (grid.cell_count() == 1) kernels[i] = links[i].estimate.kernel[0];
+NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& dates, uint32_t first_column) {
+  const NodeTree& tree = *input.tree;
+  const size_t count = dates.size(), width = 3 * count;
+  const LinkGather gather(input, dates);
+  NodeLight light;
+  light.radiance.assign(tree.slot_count() * count, {});
+  light.irradiance.assign(tree.slot_count() * count, {});
+  std::vector<Rgb> direct(tree.slot_count() * count);
+  for (const Node& node : tree.nodes())
+    if (node.is_leaf())
+      for (size_t s = node.slot; s < node.slot + slots_of(node); ++s)
+        for (size_t j = 0; j < count; ++j) direct[s * count + j] = input.direct(s, first_column + j);
+  float* radiance = &light.radiance.data()->r;
+  float* irradiance = &light.irradiance.data()->r;
+  for (int i = 0; i <= input.max_iterations; ++i) {
+    if (i > 0) {
+      std::fill(light.irradiance.begin(), light.irradiance.end(), Rgb{});
+      gather.run(radiance, irradiance);
+      push(tree, width, irradiance);
+    }
+    double change = 0, total = 0;
+    const auto set = [&](size_t slot, size_t j, float area, Rgb now) {
+      Rgb& before = light.radiance[slot * count + j];
+      change += area * static_cast<double>(std::abs(now.r - before.r) + std::abs(now.g - before.g) +
+                                           std::abs(now.b - before.b));
+      total += area * static_cast<double>(now.r + now.g + now.b);
+      before = now;
+    };
+    for (size_t n = 0; n < tree.nodes().size(); ++n) {
+      const Node& node = tree.nodes()[n];
+      if (!node.is_leaf()) continue;
+      const float scale = (*input.balance)[n];
+      Rgb* e = light.irradiance.data() + node.slot * count;
+      for (size_t j = 0; j < slots_of(node) * count; ++j) e[j] = scale * e[j];
+      const Rgb* from_direct = direct.data() + node.slot * count;
+      if (!node.is_cluster()) {
+        const Rgb brdf = static_cast<float>(1 / kPi) * node.reflectance;
+        for (size_t j = 0; j < count; ++j) set(node.slot, j, node.area, from_direct[j] + brdf * e[j]);
+        continue;
+      }
+      const ClusterReflection& reflection = (*input.reflections)[node.cluster];
+      for (size_t to = 0; to < kLobes; ++to) {
+        const float area = node.area * tree.cluster(node).lobe_share[to];
+        for (size_t j = 0; j < count; ++j) {
+          Rgb now = from_direct[to * count + j];
+          for (size_t from = 0; from < kLobes; ++from)
+            now += reflection.radiance[to][from] * e[from * count + j];
+          set(node.slot + to, j, area, now);
+        }
+      }
+    }
+    pull(tree, width, radiance);
+    light.iterations = i;
+    light.residual = total > 0 ? change / total : 0;
+    if (light.residual < input.residual) break;
   }
-  // Row sums weigh what a receiver sees by the emitters' scale, column sums the other way round by
-  // reciprocity. A scale beyond these bounds tells of a gap or a contact, where no sum is to be trusted.
+  return light;
+}
+
+std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& dates,
+                           const std::vector<float>& row_sums) {
+  const NodeTree& tree = *input.tree;
+  const size_t count = dates.size(), width = 3 * count;
+  const std::vector<float> unit(tree.slot_count() * width, 1.0f);
+  std::vector<float> sums(tree.slot_count() * width, 0.0f);
+  LinkGather(input, dates).run(unit.data(), sums.data());
+  push(tree, width, sums.data());
+  // A scale beyond these bounds tells of a gap or a contact, where no sum is to be trusted.
   constexpr float kLowest = 0.6f, kHighest = 1.6f;
-  std::vector<float> mean(nodes.size()), sum(nodes.size());
-  const auto pull_means = [&](const std::vector<float>& scale) {
-    for (size_t n = nodes.size(); n-- > 0;) {
-      mean[n] = scale[n];
-      if (nodes[n].first_child == kNone) continue;
-      mean[n] = 0;
-      for (uint32_t c = 0; c < 4; ++c) mean[n] += 0.25f * mean[nodes[n].first_child + c];
-    }
-  };
-  const auto settle = [&](const std::vector<float>& wanted, std::vector<float>* scale) {
-    for (size_t n = 0; n < nodes.size(); ++n) {
-      if (nodes[n].parent != kNone) sum[n] += sum[nodes[n].parent];
-      if (nodes[n].first_child == kNone && sum[n] > 0)
-        (*scale)[n] = std::clamp(static_cast<float>(kPi) * wanted[n] / sum[n], kLowest, kHighest);
-    }
-  };
-  for (int round = 0; round < 4; ++round) {
-    pull_means(b.receiver);
-    std::fill(sum.begin(), sum.end(), 0.0f);
-    for (size_t i = 0; i < links.size(); ++i) {
-      const Node &p = nodes[links[i].receiver], &q = nodes[links[i].emitter];
-      sum[links[i].emitter] += kernels[i] * p.area / q.area * mean[links[i].receiver];
-    }
-    settle(column_sums, &b.emitter);
-    pull_means(b.emitter);
-    std::fill(sum.begin(), sum.end(), 0.0f);
-    for (size_t i = 0; i < links.size(); ++i) sum[links[i].receiver] += kernels[i] * mean[links[i].emitter];
-    settle(row_sums, &b.receiver);
+  std::vector<float> scales(tree.nodes().size(), 1.0f);
+  for (size_t n = 0; n < tree.nodes().size(); ++n) {
+    const Node& node = tree.nodes()[n];
+    if (!node.is_leaf()) continue;
+    double sum = 0;
+    for (size_t s = 0; s < slots_of(node); ++s)
+      for (size_t j = 0; j < width; ++j)
+        sum += sums[(node.slot + s) * width + j] *
+               (node.is_cluster() ? tree.cluster(node).lobe_share[s] : 1) / static_cast<double>(width);
+    if (sum > 0) scales[n] = std::clamp(static_cast<float>(kPi * row_sums[n] / sum), kLowest, kHighest);
   }
-  return b;
+  return scales;
 }
 
 }  // namespace strad

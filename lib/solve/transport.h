@@ -3,6 +3,10 @@
 // Light transport couples no two dates, so a block of dates is iterated to the end on its own: its working
 // set stays in cache, blocks are shared among threads, and memory does not grow with the length of the
 // animation.
+//
+// A patch has one function of time, a cluster one for each lobe (lobes.h): the mean radiance of its surfaces
+// that face there, or their mean irradiance. What a link costs does not depend on how many surfaces its ends
+// hold.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +14,7 @@
 #include <vector>
 
 #include "base/rgb.h"
+#include "light/direct.h"
 #include "solve/kernel.h"
 #include "solve/nodes.h"
 #include "time/time_grid.h"
@@ -40,39 +45,45 @@ struct LinkTable {
 };
 LinkTable make_link_table(const TimeGrid& grid, uint32_t node_count, const std::vector<Link>& links);
 
-// Energy balance: corrections that make the exchange of every leaf add up to its openness both ways.
-//
-// In a closed scene the form factors of a patch add up to 1, as a receiver and as an emitter. The error of
-// each link is below a threshold but thousands of them err with one sign, so rows and columns are scaled in
-// turn (Sinkhorn & Knopp 1967) until both sums are right in the mean over time.
-struct Balance {
-  std::vector<float> receiver;  // [node], leaves only: scales gathered irradiance
-  std::vector<float> emitter;   // [node], leaves only: scales radiance as seen by links
+// How a leaf cluster turns irradiance from each lobe into radiance towards each.
+struct ClusterReflection {
+  Rgb radiance[kLobes][kLobes];  // [towards][from], of unit irradiance
 };
-// `row_sums`, `column_sums`: [node], leaves only: what they should be, in units of pi.
-Balance balance(const TimeGrid& grid, const NodeTree& tree, const std::vector<Link>& links,
-                const std::vector<float>& row_sums, const std::vector<float>& column_sums);
+// By cluster; empty ones for clusters that are no leaves.
+std::vector<ClusterReflection> reflections_of(const NodeTree& tree);
 
 struct TransportInput {
   const TimeGrid* grid = nullptr;
   const NodeTree* tree = nullptr;
   const LinkTable* links = nullptr;
-  // Direct irradiance of a leaf at a column, W / m^2.
-  std::function<Rgb(size_t node, size_t column)> direct;
-  const Balance* balance = nullptr;
+  const std::vector<Instant>* instants = nullptr;  // of the nodes of the grid
+  // Radiance that a leaf reflects of direct light at a column, by slot, W / (sr m^2).
+  std::function<Rgb(size_t slot, size_t column)> direct;
+  const std::vector<ClusterReflection>* reflections = nullptr;
+  // Scales of gathered irradiance by node (leaves only), see balance().
+  const std::vector<float>* balance = nullptr;
   double residual = 1e-3;  // largest mean change of radiance, relative
   int max_iterations = 100;
 };
 
-struct TransportResult {
+// By slot and date, [slot * dates.size() + i]; `irradiance` as the links gave it, balanced, leaves only.
+struct NodeLight {
+  std::vector<Rgb> radiance;    // W / (sr m^2), reflected, without emission
+  std::vector<Rgb> irradiance;  // W / m^2, indirect
   int iterations = 0;
   double residual = 0;
 };
 
-// Solves for the radiance reflected by every node at `dates` (nodes of the grid, ascending):
-// radiance[node * dates.size() + i], W / (sr m^2), without emission.
-// `first_column`: of the direct light, for the first date; the others follow.
-TransportResult propagate(const TransportInput& input, const std::vector<uint32_t>& dates,
-                          uint32_t first_column, std::vector<Rgb>* radiance);
+// Solves for the light at `dates` (nodes of the grid, ascending). `first_column`: of the direct light, for
+// the first date; the others follow.
+NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& dates, uint32_t first_column);
+
+// Energy balance: scales that make the exchange of every leaf add up to its openness.
+//
+// In a closed scene the form factors of a patch add up to 1. The error of each link is below a threshold but
+// thousands of them err with one sign, so one gather of unit radiance tells by how much to scale.
+// `row_sums`: [node], leaves only: what they should be, in units of pi.
+std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& dates,
+                           const std::vector<float>& row_sums);
 
 }  // namespace strad

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace strad {
 namespace {
@@ -74,6 +75,24 @@ double local_of(const TimeGrid& grid, Interval interval, double time) {
 }
 
 }  // namespace
+
+void add_values(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t first, uint32_t count,
+                Rgb* values) {
+  const auto order = static_cast<uint32_t>(grid.order);
+  for (uint32_t piece = field.first_piece[row]; piece < field.first_piece[row + 1]; ++piece) {
+    const Interval interval = field.pieces[piece];
+    if (interval.cell >= first + count) break;
+    const uint32_t begin = std::max(first, interval.cell);
+    const uint32_t end = std::min(first + count, interval.cell + interval.cell_count());
+    for (uint32_t cell = begin; cell < end; ++cell)
+      for (uint32_t k = 0; k < order; ++k) {
+        double weights[kMaxOrder];
+        lagrange_weights(
+            grid.order, (cell - interval.cell + gauss_nodes(grid.order)[k]) / interval.cell_count(), weights);
+        values[(cell - first) * order + k] += combine(field, piece, weights);
+      }
+  }
+}
 
 Rgb value_at(const TimeGrid& grid, const Field& field, uint32_t row, double time, bool continuous) {
   const uint32_t cell = cell_at(grid, time);

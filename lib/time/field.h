@@ -17,11 +17,12 @@ struct Field {
   std::vector<Interval> pieces;
   std::vector<Rgb> coefficients;  // pieces * order
 
-  // Gives back memory kept for growth.
-  void shrink() {
-    first_piece.shrink_to_fit();
-    pieces.shrink_to_fit();
-    coefficients.shrink_to_fit();
+  // Asks for address space, which costs nothing until it is filled, where growing would hold two copies.
+  void expect_rows(size_t rows) {
+    constexpr size_t kPieces = 32;  // of a row: more than most have
+    first_piece.reserve(rows + 1);
+    pieces.reserve(kPieces * rows);
+    coefficients.reserve(kPieces * rows * static_cast<size_t>(order));
   }
   uint32_t row_count() const { return static_cast<uint32_t>(first_piece.size() - 1); }
 };
@@ -40,6 +41,10 @@ Rgb mean_over(const TimeGrid& grid, const Field& field, uint32_t row, double beg
 
 // The jump value(cell boundary +) - value(cell boundary -) at the beginning of `cell`, before any correction.
 Rgb jump_at(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t cell);
+
+// Adds the raw values of a row at the nodes of the cells first .. first + count - 1 to values[0 ..].
+void add_values(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t first, uint32_t count,
+                Rgb* values);
 
 // Appends a row from values at all nodes of the grid (node_count of them): merges dyadic halves bottom-up
 // while the root-mean-square error of the merged polynomial over its interval stays below `tolerance`
