@@ -97,5 +97,54 @@ TEST(Reach, TheSmallestSurfaceCounts) {
   EXPECT_TRUE(r[2 * speck + 1]);
 }
 
+// A room of 4 x 3 x 2 m with a spotlight in a corner of its ceiling.
+Scene lit_room() {
+  Scene scene;
+  scene.end = 1;
+  add_box(&scene, {0, 0, 0}, {4, 3, 2}, true);
+  add_spot(&scene, {3.5, 2.5, 1.9}, {1.5, 1.5, 0.5}, 0.9, 1.2, {1, 1, 1});
+  return scene;
+}
+
+// Far too small for walks to tell: closed surfaces are dark inside, whichever way they are wound.
+TEST(Reach, InsidesOfManySmallBoxesAreDark) {
+  Scene scene = lit_room();
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 l{0.3 + 0.3 * (i % 10), 0.3 + 0.3 * (i / 10 % 5), 0.3 + 0.3 * (i / 50)};
+    add_box(&scene, l, l + Vec3{0.01, 0.02, 0.03}, i % 2 == 1,
+            i % 3 == 0 ? 0 : add_body(&scene, {0.1, 0, 0}));
+  }
+  const std::vector<bool> r = reached(scene);
+  for (uint32_t i = 0; i < 200; ++i) expect_sides(r, 6 + 6 * i, i % 2 == 0, i % 2 == 1);
+}
+
+TEST(Reach, SmallOpenSurfacesAreLitOnBothSides) {
+  Scene scene = lit_room();
+  const auto first = static_cast<uint32_t>(scene.polygons.size());
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 at{0.3 + 0.3 * (i % 10), 0.3 + 0.3 * (i / 10 % 5), 0.3 + 0.3 * (i / 50)};
+    add_polygon(&scene, {at, at + Vec3{0.01, 0, 0}, at + Vec3{0.01, 0, 0.01}, at + Vec3{0, 0, 0.01}});
+    // A box without its lid: five sides that share edges, not all of them.
+    add_box(&scene, at + Vec3{0.1, 0, 0}, at + Vec3{0.12, 0.02, 0.02}, false);
+    std::swap(scene.polygons.back(), scene.polygons[scene.polygons.size() - 5]);
+    scene.polygons.pop_back();
+  }
+  const std::vector<bool> r = reached(scene);
+  for (uint32_t p = first; p < scene.polygons.size(); ++p) {
+    EXPECT_TRUE(r[2 * p]) << p;
+    EXPECT_TRUE(r[2 * p + 1]) << p;
+  }
+}
+
+TEST(Reach, ALampInsideASmallBoxLightsItsInside) {
+  Scene scene = lit_room();
+  const uint32_t lantern = add_box(&scene, {1, 1, 0.5}, {1.04, 1.04, 0.54}, false);
+  const uint32_t other = add_box(&scene, {2, 1, 0.5}, {2.04, 1.04, 0.54}, false);
+  add_spot(&scene, {1.02, 1.02, 0.53}, {1.02, 1.02, 0}, 0.5, 0.9, {1, 1, 1});
+  const std::vector<bool> r = reached(scene);
+  expect_sides(r, lantern, true, true);
+  expect_sides(r, other, true, false);
+}
+
 }  // namespace
 }  // namespace strad

@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solve/direct_phase.h"
-#include "workbench.h"
+#include "refined.h"
 
 namespace strad {
 namespace {
@@ -22,44 +21,13 @@ Scene room(bool plate) {
   return scene;
 }
 
-struct Refined {
-  Workbench bench;
-  std::vector<Instant> instants;
-  std::unique_ptr<DirectPhase> direct;
-  std::unique_ptr<Refinement> refinement;
-
-  Refined(bool plate, std::initializer_list<double> thresholds) : bench(room(plate), 2, 16) {
-    for (uint32_t n = 0; n < bench.grid.node_count(); ++n)
-      instants.push_back(instant_at(bench.scene, node_time(bench.grid, n)));
-    DirectOptions options;
-    options.threshold = 0.01f, options.smallest_element = 0.1;
-    direct = std::make_unique<DirectPhase>(bench.scene, bench.tracer, bench.grid, instants, options,
-                                           &bench.builder);
-    direct->run();
-    bench.nodes = std::make_unique<NodeTree>(bench.scene, &bench.builder);
-    bench.kernels = std::make_unique<KernelEvaluator>(*bench.nodes, bench.tracer, bench.grid, bench.swept);
-    refinement = std::make_unique<Refinement>(bench.grid, *bench.kernels, *direct,
-                                              std::vector<uint32_t>{3, 11, 20, 29}, bench.nodes.get());
-    RefinementOptions refine;
-    refine.smallest_radius = 0.1;
-    for (const double threshold : thresholds) {
-      refine.threshold = threshold;
-      refinement->refine(refine);
-    }
-  }
-  const std::vector<Link>& links() const { return refinement->links(); }
+struct RoomRefined : Refined {
+  RoomRefined(bool plate, std::initializer_list<double> thresholds)
+      : Refined(room(plate), Roots::kFaces, thresholds) {}
 };
 
-std::vector<uint32_t> leaves_below(const NodeTree& tree, uint32_t node) {
-  if (tree.nodes()[node].first_child == kNone) return {node};
-  std::vector<uint32_t> leaves;
-  for (uint32_t c = 0; c < 4; ++c)
-    for (const uint32_t leaf : leaves_below(tree, tree.nodes()[node].first_child + c)) leaves.push_back(leaf);
-  return leaves;
-}
-
 TEST(Refinement, EveryExchangeIsLinkedOnceAtATime) {
-  const Refined refined(true, {0.02, 0.005});
+  const RoomRefined refined(true, {0.02, 0.005});
   const size_t nodes = refined.bench.nodes->nodes().size(), cells = refined.bench.grid.cell_count();
   std::vector<uint8_t> covered(nodes * nodes * cells, 0);
   uint64_t twice = 0, linked = 0;
@@ -75,28 +43,28 @@ TEST(Refinement, EveryExchangeIsLinkedOnceAtATime) {
 }
 
 TEST(Refinement, NothingIsSplitInTimeWhileNothingMoves) {
-  const Refined still(false, {0.005});
+  const RoomRefined still(false, {0.005});
   for (const Link& link : still.links()) {
     EXPECT_FALSE(link.estimate.dynamic);
     EXPECT_EQ(link.interval, still.bench.always());
   }
   EXPECT_EQ(still.refinement->counts().refined_in_time, 0u);
   EXPECT_GT(still.refinement->counts().refined_in_space, 0u);
-  const Refined moving(true, {0.001});
+  const RoomRefined moving(true, {0.001});
   EXPECT_GT(moving.refinement->counts().refined_in_time, 0u);
 }
 
 TEST(Refinement, SmallerErrorsNeedMoreLinks) {
   size_t last = 0;
   for (const double threshold : {0.01, 0.002, 0.0005}) {
-    const Refined refined(false, {threshold});
+    const RoomRefined refined(false, {threshold});
     EXPECT_GT(refined.links().size(), last);
     last = refined.links().size();
   }
 }
 
 TEST(Refinement, LinksJoinSurfacesThatSeeEachOther) {
-  const Refined refined(false, {0.01});
+  const RoomRefined refined(false, {0.01});
   const std::vector<Node>& nodes = refined.bench.nodes->nodes();
   for (const Link& link : refined.links()) {
     EXPECT_NE(nodes[link.receiver].face, nodes[link.emitter].face);
@@ -107,7 +75,7 @@ TEST(Refinement, LinksJoinSurfacesThatSeeEachOther) {
 
 // Before anything is reflected only what is lit directly emits: the ceiling, out of the beam, does not.
 TEST(Refinement, OnlyLitSurfacesEmit) {
-  const Refined refined(false, {0.01});
+  const RoomRefined refined(false, {0.01});
   const std::vector<Node>& nodes = refined.bench.nodes->nodes();
   bool floor = false;
   for (const Link& link : refined.links()) {

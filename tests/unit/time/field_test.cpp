@@ -104,6 +104,35 @@ TEST_P(FieldOfOrder, MeetsAGap) {
   EXPECT_NEAR(at(8.1), 0, 1e-6);
 }
 
+// The values at nodes, of some cells, added to what is there.
+TEST_P(FieldOfOrder, ValuesAtNodesAreThoseOfTheRawFunction) {
+  const auto order = static_cast<uint32_t>(grid.order);
+  Field rows = field;
+  append_row(grid, samples_of(grid, [](double t) { return t; }), {}, 1e-3f, &rows);
+  for (const auto& [first, count] : {std::pair<uint32_t, uint32_t>{0, grid.cell_count()}, {3, 1}, {17, 29}}) {
+    std::vector<Rgb> values(count * order, Rgb{5, 0, 0});
+    add_values(grid, rows, 0, first, count, values.data());
+    for (uint32_t i = 0; i < values.size(); ++i)
+      EXPECT_NEAR(values[i].r - 5, at(node_time(grid, first * order + i), false), 1e-5) << i;
+    add_values(grid, rows, 1, first, count, values.data());
+    EXPECT_NEAR(values[0].r - 5, at(node_time(grid, first * order), false) + node_time(grid, first * order),
+                0.1);
+  }
+}
+
+// Cells where a row has no piece are left as they are.
+TEST(Field, GapsAddNothing) {
+  const TimeGrid grid = make_time_grid(0, 16, {}, 2, 32);
+  std::vector<bool> active(16, false);
+  active[5] = active[6] = true;
+  Field island;
+  island.order = 2;
+  append_row(grid, samples_of(grid, [](double) { return 7; }), active, 1e-3f, &island);
+  std::vector<Rgb> values(8);
+  add_values(grid, island, 0, 4, 4, values.data());
+  for (size_t i = 0; i < 8; ++i) EXPECT_NEAR(values[i].r, i >= 2 && i < 6 ? 7 : 0, 1e-5) << i;
+}
+
 TEST(Field, RowsAreApart) {
   const TimeGrid grid = make_time_grid(0, 10, {}, 2, 40);
   Field field;

@@ -1,0 +1,45 @@
+// A scene whose links are refined, for tests.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solve/direct_phase.h"
+#include "solve/refinement.h"
+#include "workbench.h"
+
+namespace strad {
+
+struct Refined {
+  static constexpr double kSmallest = 0.1;  // m: radius of nodes that are still split
+  Workbench bench;
+  std::unique_ptr<DirectPhase> direct;
+  std::unique_ptr<Refinement> refinement;
+  std::vector<uint32_t> watched{3, 11, 20, 29};
+
+  Refined(Scene scene, Roots roots, std::initializer_list<double> thresholds, double uniform_below = 0)
+      : bench(std::move(scene), 2, 16, roots, uniform_below) {
+    DirectOptions options;
+    options.threshold = 0.01f, options.smallest_element = 0.1;
+    direct = std::make_unique<DirectPhase>(bench.scene, bench.tracer, bench.grid, bench.swept, bench.instants,
+                                           options, &bench.builder);
+    direct->run();
+    bench.plant(roots);
+    refinement =
+        std::make_unique<Refinement>(bench.grid, *bench.kernels, *direct, watched, bench.nodes.get());
+    for (const double threshold : thresholds) refine(threshold);
+  }
+  void refine(double threshold) {
+    RefinementOptions options;
+    options.threshold = threshold, options.smallest_radius = kSmallest;
+    refinement->refine(options);
+  }
+  // As if all surfaces reflected `radiance` at all dates.
+  void light_all(float radiance) {
+    const std::vector<Rgb> all(bench.nodes->slot_count() * watched.size(), Rgb{radiance, radiance, radiance});
+    refinement->update_radiance(0, watched.size(), all);
+  }
+  const std::vector<Link>& links() const { return refinement->links(); }
+};
+
+}  // namespace strad
