@@ -84,53 +84,66 @@ double exchange(const Workbench& bench, uint32_t p, uint32_t q, uint32_t cell) {
   return sum / 16;
 }
 
-TEST(ClusterRefinement, EveryExchangeIsLinkedOnceAtATime) {
-  Refined refined(boxes_in_a_room(4), Roots::kClusters, {0.02});
-  refined.light_all(0.5f);  // so that no link waits for light
-  refined.refine(0.01);
-  refined.light_all(0.5f);
-  refined.refine(0.004);
-  const auto links = by_ends(refined);
-  const NodeTree& tree = *refined.bench.nodes;
+// All surfaces are lit, so that no link waits for light.
+struct AllLit : Refined {
+  AllLit() : Refined(boxes_in_a_room(4), Roots::kClusters, {0.02}) {
+    for (const double threshold : {0.01, 0.004}) {
+      light_all(0.5f);
+      refine(threshold);
+    }
+    by = by_ends(*this);
+    for (uint32_t n = 0; n < bench.nodes->nodes().size(); ++n)
+      if (bench.node(n).is_leaf()) leaves.push_back(n);
+  }
+  std::map<Exchange, std::vector<Interval>> by;
   std::vector<uint32_t> leaves;
-  for (uint32_t n = 0; n < tree.nodes().size(); ++n)
-    if (tree.nodes()[n].is_leaf()) leaves.push_back(n);
+};
+
+// Pairs of leaves far apart and near by, at any date.
+TEST(ClusterRefinement, EveryExchangeIsLinkedOnceAtATime) {
+  const AllLit refined;
+  const Workbench& bench = refined.bench;
   int twice = 0, linked = 0, of_clusters = 0;
-  double lost = 0, all = 0;
-  for (uint64_t i = 0; i < 20000; ++i) {
-    const uint32_t p =
-        leaves[static_cast<size_t>(unit_from(hash_of(i, 1)) * static_cast<double>(leaves.size()))];
-    const uint32_t q =
-        leaves[static_cast<size_t>(unit_from(hash_of(i, 2)) * static_cast<double>(leaves.size()))];
-    const auto cell = static_cast<uint32_t>(16 * unit_from(hash_of(i, 3)));
-    const int count = links_over(refined, links, p, q, cell);
-    twice += count > 1;
-    linked += count == 1;
-    of_clusters += count == 1 && tree.nodes()[p].is_cluster();
-    if (i % 4 != 0) continue;
-    const double area = static_cast<double>(tree.nodes()[p].area), k = exchange(refined.bench, p, q, cell);
-    all += area * k;
-    if (count == 0) lost += area * k;
+  for (const bool near : {false, true}) {
+    double lost = 0, all = 0;
+    for (uint64_t i = 0; i < 10000; ++i) {
+      const auto random = [&](uint64_t k, size_t below) {
+        return static_cast<size_t>(unit_from(hash_of(i, k, near)) * static_cast<double>(below));
+      };
+      const size_t first = random(1, refined.leaves.size());
+      const size_t second = near ? std::min(refined.leaves.size() - 1, first + random(2, 12))
+                                 : random(2, refined.leaves.size());
+      const uint32_t p = refined.leaves[first], q = refined.leaves[second];
+      const auto cell = static_cast<uint32_t>(random(3, 16));
+      const int count = links_over(refined, refined.by, p, q, cell);
+      twice += count > 1;
+      linked += count == 1;
+      of_clusters += count == 1 && bench.node(p).is_cluster();
+      if (count != 0 && i % 4 != 0) continue;
+      const double flux = static_cast<double>(bench.node(p).area) * exchange(bench, p, q, cell);
+      all += count != 0 ? 4 * flux : flux;
+      if (count == 0) lost += flux;
+    }
+    EXPECT_LT(lost, 0.01 * all) << near;  // links were dropped only where nothing is seen
   }
   EXPECT_EQ(twice, 0);
   EXPECT_GT(linked, 3000);
   EXPECT_GT(of_clusters, 100);
-  EXPECT_LT(lost, 0.02 * all);  // links were dropped only where nothing is seen
 }
 
 // Of a leaf cluster and itself: once, through itself or an ancestor and itself.
 TEST(ClusterRefinement, ClustersLightThemselvesOnce) {
-  Refined refined(boxes_in_a_room(4), Roots::kClusters, {0.02});
-  const auto links = by_ends(refined);
+  const AllLit refined;
   int own = 0;
-  for (uint32_t n = 0; n < refined.bench.nodes->nodes().size(); ++n) {
-    if (!refined.bench.node(n).is_leaf()) continue;
-    const int count = links_over(refined, links, n, n, 5);
+  for (const uint32_t n : refined.leaves) {
+    const int count = links_over(refined, refined.by, n, n, 5);
     EXPECT_LE(count, 1) << n;
-    own += count;
+    if (!refined.bench.node(n).is_cluster() || !(exchange(refined.bench, n, n, 5) > 1e-3)) continue;
+    EXPECT_EQ(count, 1) << n;
+    ++own;
   }
-  EXPECT_GT(own, 0);
-  for (const auto& [ends, intervals] : links)
+  EXPECT_GT(own, 1);
+  for (const auto& [ends, intervals] : refined.by)
     EXPECT_TRUE(ends.receiver != ends.emitter || refined.bench.node(ends.receiver).is_cluster());
 }
 
@@ -174,16 +187,23 @@ TEST(ClusterRefinement, NothingIsSplitInTimeWhileNothingMoves) {
   EXPECT_GT(moving.refinement->counts().refined_in_time, 0u);
 }
 
-// The uniform faces of small boxes are never split, whatever the threshold.
+// Uniform faces are never split, whatever the threshold.
 TEST(ClusterRefinement, UniformFacesStayWhole) {
-  const Refined refined(boxes_in_a_room(3), Roots::kClusters, {0.001}, 0.5);
-  int uniform = 0;
+  Refined refined(boxes_in_a_room(3), Roots::kClusters, {}, 0.5);
+  refined.refine(0.01, 0.02);
+  refined.light_all(0.5f);
+  refined.refine(0.001, 0.02);
+  int uniform = 0, split = 0;
   for (const Node& node : refined.bench.nodes->nodes()) {
-    if (node.is_cluster() || !is_uniform(refined.bench.builder.mesh().elements[node.element])) continue;
+    if (node.is_cluster()) continue;
+    split += !node.is_leaf();
+    if (!is_uniform(refined.bench.builder.mesh().elements[node.element])) continue;
     ++uniform;
     EXPECT_TRUE(node.is_leaf());
+    EXPECT_EQ(refined.bench.builder.mesh().elements[node.element].first_child, kNone);
   }
   EXPECT_GT(uniform, 20);
+  EXPECT_GT(split, 0);
 }
 
 }  // namespace

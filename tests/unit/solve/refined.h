@@ -11,7 +11,6 @@
 namespace strad {
 
 struct Refined {
-  static constexpr double kSmallest = 0.1;  // m: radius of nodes that are still split
   Workbench bench;
   std::unique_ptr<DirectPhase> direct;
   std::unique_ptr<Refinement> refinement;
@@ -29,9 +28,10 @@ struct Refined {
         std::make_unique<Refinement>(bench.grid, *bench.kernels, *direct, watched, bench.nodes.get());
     for (const double threshold : thresholds) refine(threshold);
   }
-  void refine(double threshold) {
+  // `smallest`: m, radius of nodes that are still split.
+  void refine(double threshold, double smallest = 0.1) {
     RefinementOptions options;
-    options.threshold = threshold, options.smallest_radius = kSmallest;
+    options.threshold = threshold, options.smallest_radius = smallest;
     refinement->refine(options);
   }
   // As if all surfaces reflected `radiance` at all dates.
