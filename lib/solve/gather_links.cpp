@@ -55,7 +55,7 @@ Vec3 LinkGather::towards(const Node& from, const Node& to, size_t date) const {
 LinkGather::End LinkGather::receiving_end(const Node& p, const Node& q, size_t date) const {
   if (!p.is_cluster()) return {{p.slot}, {1}, 1};
   End end{{}, {}, 3};
-  if (&p == &q) {
+  if (!(length2(towards(p, q, date)) > 0)) {  // no direction: all sides alike
     for (uint32_t l = 0; l < kLobes; ++l) end.slot[l] = p.slot + l, end.weight[l] = 1;
     end.count = kLobes;
     return end;

@@ -272,18 +272,27 @@ KernelEvaluator::Means KernelEvaluator::sample_clusters(const Node& p, const Nod
     free += unoccluded;
     weighted_visible += at_point[i];
   }
-  means.quadrature = means.mean;
   if (!(free > 0)) return means;
+  // Few samples share the sides of a cluster unevenly: what they would answer to one direction tells by how
+  // much.
+  double emitted = 0;
+  for (int j = 0; j < part_count; ++j) emitted += parts[j].represented;
+  for (const double sampled : {response, emitted})
+    if (sampled > 0.05) {
+      const double factor = std::clamp(1 / sampled, 0.5, 2.0);
+      means.mean *= factor;
+      for (int i = 0; i < point_count; ++i) at_point[i] *= factor;
+    }
+  means.quadrature = means.mean;
   double error2 = 0;
   for (int i = 0; i < point_count; ++i) {
     const double represented = response > 0.05 ? means.mean * points[i].response / response : means.mean;
     error2 += (at_point[i] - represented) * (at_point[i] - represented) / point_count;
   }
   means.receiver_error = std::sqrt(error2);
-  double uneven = 0, represented = 0;
-  for (int j = 0; j < part_count; ++j) represented += parts[j].represented;
+  double uneven = 0;
   for (int j = 0; j < part_count; ++j) {
-    const double d = shares[j] / free - (represented > 0.05 ? parts[j].represented / represented : 0);
+    const double d = shares[j] / free - (emitted > 0.05 ? parts[j].represented / emitted : 0);
     uneven += part_count * d * d;
   }
   // Which parts hide where visibility is partial is not known: any may.
@@ -346,7 +355,7 @@ KernelEstimate KernelEvaluator::estimate(uint32_t receiver, uint32_t emitter, In
   for (int k = 0; k < order; ++k) {
     const std::vector<Pose> poses = swept_.poses(interval, gauss_nodes(order)[k]);
     if (!can_exchange(p, q, poses)) continue;
-    const Means means = sample(p, q, seed, poses, k == 0 ? control : 5, counts);
+    const Means means = sample(p, q, seed, poses, 5, counts);
     e.kernel[k] = static_cast<float>(means.mean);
     worst(means);
   }

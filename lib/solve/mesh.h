@@ -30,7 +30,9 @@ struct Element {
 };
 
 // A polygon too small to be divided is uniform: all corners of its only element are one vertex.
-inline bool is_uniform(const Element& element) { return element.vertices[0] == element.vertices[1]; }
+inline bool is_uniform(const Element& element) {
+  return element.vertices[0] == element.vertices[1] && element.vertices[1] == element.vertices[2];
+}
 
 // One side of a polygon that light reaches at some time.
 struct Face {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -26,11 +27,6 @@ class Surfaces {
  public:
   explicit Surfaces(const Scene& scene) : parent_(2 * scene.polygons.size()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
-    struct Edge {
-      Vec3 low, high;
-      uint32_t polygon;
-      bool forward;
-    };
     const auto order = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
     std::vector<Edge> edges;
     for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
@@ -39,7 +35,7 @@ class Surfaces {
         const Vec3 a = scene.vertices[scene.polygons[p].corners[i]];
         const Vec3 b = scene.vertices[scene.polygons[p].corners[(i + 1) % n]];
         const bool forward = order(a, b);
-        edges.push_back({forward ? a : b, forward ? b : a, p, forward});
+        edges.push_back({forward ? a : b, forward ? b : a, p});
       }
     }
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
@@ -49,18 +45,14 @@ class Surfaces {
     std::vector<bool> open(scene.polygons.size(), false);
     for (size_t i = 0; i < edges.size();) {
       size_t end = i + 1;
-      int balance = edges[i].forward ? 1 : -1;
-      for (; end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high; ++end)
-        balance += edges[end].forward ? 1 : -1;
-      if (end - i == 2) {
-        const Edge &a = edges[i], &b = edges[i + 1];
-        // Two neighbours wound alike run along their common edge in opposite directions.
-        const uint32_t turned = a.forward == b.forward;
-        join(2 * a.polygon, 2 * b.polygon + turned);
-        join(2 * a.polygon + 1, 2 * b.polygon + 1 - turned);
-      }
-      for (; i < end; ++i)
-        if (balance != 0) open[edges[i].polygon] = true;
+      while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
+      if (end - i == 1)
+        open[edges[i].polygon] = true;
+      else
+        join_around(scene, edges[i].low, edges[i].high,
+                    {edges.begin() + static_cast<std::ptrdiff_t>(i),
+                     edges.begin() + static_cast<std::ptrdiff_t>(end)});
+      i = end;
     }
     volume_.assign(parent_.size(), 0.0);
     open_.assign(parent_.size(), false);
@@ -87,6 +79,36 @@ class Surfaces {
     a = find(a), b = find(b);
     parent_[std::max(a, b)] = std::min(a, b);
   }
+  struct Edge {
+    Vec3 low, high;
+    uint32_t polygon;
+  };
+  // Polygons about an edge part space into wedges; the two sides that bound one go on into each other.
+  void join_around(const Scene& scene, Vec3 low, Vec3 high, const std::vector<Edge>& edges) {
+    struct Leaf {
+      double angle;
+      uint32_t polygon, ahead;  // the side that faces growing angles
+    };
+    const Frame frame = frame_about(normalized(high - low));
+    std::vector<Leaf> leaves;
+    for (const Edge& edge : edges) {
+      const Polygon& polygon = scene.polygons[edge.polygon];
+      Vec3 centre;
+      for (int c = 0; c < polygon.corner_count(); ++c)
+        centre += scene.vertices[polygon.corners[c]] / polygon.corner_count();
+      const Vec3 into = centre - low;
+      const double x = dot(into, frame.tangent), y = dot(into, frame.bitangent);
+      const Vec3 turning = x * frame.bitangent - y * frame.tangent;
+      const uint32_t back = dot(polygon_normal(scene, polygon), turning) < 0;
+      leaves.push_back({std::atan2(y, x), edge.polygon, 2 * edge.polygon + back});
+    }
+    std::sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
+      return std::tie(a.angle, a.polygon) < std::tie(b.angle, b.polygon);
+    });
+    for (size_t i = 0; i < leaves.size(); ++i)
+      join(leaves[i].ahead, leaves[(i + 1) % leaves.size()].ahead ^ 1u);
+  }
+
   std::vector<uint32_t> parent_;
   std::vector<double> volume_;  // six times that which the surface bounds, negative seen from within
   std::vector<bool> open_;
