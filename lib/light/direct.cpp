@@ -59,8 +59,7 @@ EmitterSample sample_at(const EmitterAtInstant& e, const SurfacePoint& point, do
   if (!(cos_receiver > 0) || !(cos_emitter > 0)) return {};
   const double distance2 = length2(to);
   return {y + offset * e.normal,
-          static_cast<float>(cos_receiver * cos_emitter * e.area / (distance2 * (distance2 + e.area / kPi))),
-          0};
+          static_cast<float>(cos_receiver * cos_emitter * e.area / (distance2 * distance2)), 0};
 }
 
 }  // namespace

@@ -132,7 +132,8 @@ void IndirectPhase::evaluate_uniform() {
 }
 
 float IndirectPhase::tolerance_of(uint32_t vertex) const {
-  return options_.tolerance / static_cast<float>(builder_.prominence(builder_.face_of_vertex(vertex)));
+  return options_.tolerance /
+         std::max(0.25f, static_cast<float>(builder_.prominence(builder_.face_of_vertex(vertex))));
 }
 
 void IndirectPhase::run() {

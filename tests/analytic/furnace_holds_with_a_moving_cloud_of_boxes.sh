@@ -56,7 +56,7 @@ cat >>points <<'END'
 3   2   4
 END
 
-strad-import cloud.obj | strad-motion cloud.motion | strad-solve -e 0.1 >cloud.strad
+strad-import cloud.obj | strad-motion cloud.motion | strad-solve -e 0.05 >cloud.strad
 strad-probe -n 9 --points points cloud.strad >table
 judge 'furnace with a moving cloud' '
   { for (c = 4; c <= 6; c++) judge($c, 2, 0.04); for (c = 7; c <= 9; c++) judge($c, 6.283185307, 0.1257) }
