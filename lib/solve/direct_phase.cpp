@@ -201,7 +201,7 @@ void DirectPhase::evaluate_uniform() {
 
 float DirectPhase::tolerance_of(uint32_t vertex) const {
   return options_.tolerance /
-         std::max(0.25f, static_cast<float>(builder_.prominence(builder_.face_of_vertex(vertex))));
+         std::max(0.2f, static_cast<float>(builder_.prominence(builder_.face_of_vertex(vertex))));
 }
 
 void DirectPhase::run() {

@@ -1,5 +1,7 @@
 #include "solve/indirect_phase.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -133,12 +135,13 @@ void IndirectPhase::evaluate_uniform() {
 
 float IndirectPhase::tolerance_of(uint32_t vertex) const {
   return options_.tolerance /
-         std::max(0.25f, static_cast<float>(builder_.prominence(builder_.face_of_vertex(vertex))));
+         std::max(0.2f, static_cast<float>(builder_.prominence(builder_.face_of_vertex(vertex))));
 }
 
 void IndirectPhase::run() {
   const Mesh& mesh = builder_.mesh();
   evaluate_uniform();
+  malloc_trim(0);  // their rays and rows were many small things
   std::vector<uint32_t> level, vertices;
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     if (is_uniform(mesh.elements[mesh.faces[f].element])) continue;

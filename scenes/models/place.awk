@@ -3,7 +3,7 @@
 # model's upright axis; colour, of what the model gives no material that `palette` (an MTL file) has.
 
 BEGIN {
-  if (palette) while ((getline <palette) > 0) if ($1 == "newmtl") known[plain($2)] = 1
+  if (palette) while ((getline <palette) > 0) { sub(/\r$/, ""); if ($1 == "newmtl") known[plain($2)] = 1 }
 }
 
 # Names in ASCII: models have any.

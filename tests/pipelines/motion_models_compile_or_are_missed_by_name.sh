@@ -13,7 +13,7 @@ grep -q "$PWD/none/.*assimp-testmodels" err
 
 # The same from models of our own, a tetrahedron each: what a model's file says is taken, not its size.
 mkdir -p assimp povray/camera/mesh_camera
-printf '%s\n' 'usemtl R\303\270d' 'v 0 0 0' 'v 30 0 0' 'v 0 30 0' 'v 0 0 30' 'f 1 3 2' 'f 1/1 2/2 4/3' 'f 2 3 4' 'f 3//1 1//2 4//3' >assimp/spider.obj
+printf '%s\n' $'usemtl R\303\270d' 'v 0 0 0' 'v 30 0 0' 'v 0 30 0' 'v 0 0 30' 'f 1 3 2' 'f 1/1 2/2 4/3' 'f 2 3 4' 'f 3//1 1//2 4//3' >assimp/spider.obj
 cp assimp/spider.obj assimp/WusonOBJ.obj
 cp assimp/spider.obj assimp/regr01.obj
 printf 'newmtl R\303\270d\r\nKd 0.5 0.25 0.125\r\n' | tee assimp/spider.mtl >assimp/regr01.mtl
@@ -37,7 +37,8 @@ for file in own/own.obj $([ -d /usr/share/assimp/models/OBJ ] && [ -d /usr/share
   grep -q 'lower: 0 0 -0.002' info
   grep -q 'upper: 8 6 3.2' info
 done
-strad-import -q own/own.obj | strad-info | grep -q 'name spider_R__d, reflectance 0.5 0.25 0.125'
+strad-import -q own/own.obj | strad-info >info
+grep -q 'name spider_R__d, reflectance 0.5 0.25 0.125' info
 
 # Outward stays outward, from right- and left-handed files: all five volumes are positive.
 awk '
