@@ -21,8 +21,12 @@
 namespace strad {
 namespace {
 
-// Noise of a vertex below 1 %, of a small face 3 %, fixed in time.
-constexpr FinalGather::Rays kRays{512, 128};
+// At the default error the noise of a vertex is below 1 %, of a small face 3 %, fixed in time; who tolerates
+// more gets fewer rays, down to half.
+FinalGather::Rays rays_for(double error) {
+  const double share = std::clamp(std::sqrt(0.02 / error), 0.5, 1.0);
+  return {static_cast<int>(512 * share), static_cast<int>(128 * share)};
+}
 
 // Nodes of the grid for the whole animation: one for every 3.2 frames, at least 24.
 int sample_count(const Scene& scene, double begin, double end) {
@@ -182,7 +186,7 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
   malloc_trim(0);
 
   report(0.7, "final gather");
-  const FinalGather gather(tree, tracer, grid, swept, radiance, kRays);
+  const FinalGather gather(tree, tracer, grid, swept, radiance, rays_for(options.error));
   IndirectPhase indirect(scene, grid, gather, indirect_options(diagonal, options.error, mean, tolerance),
                          &builder);
   indirect.run();
