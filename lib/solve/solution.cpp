@@ -14,6 +14,9 @@ constexpr size_t kRowGrain = 1024;  // rows a task, enough to outweigh its start
 
 using RowValue = std::function<Rgb(const Field&, uint32_t row)>;
 
+// A polynomial that answers a step, a shadow's edge, may undershoot; light does not.
+Rgb lit(Rgb v) { return {std::max(0.0f, v.r), std::max(0.0f, v.g), std::max(0.0f, v.b)}; }
+
 // Values from surpluses, in place. Parents come before their children.
 void add_parents(const Mesh& mesh, std::vector<Rgb>* values) {
   for (size_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -31,16 +34,14 @@ std::vector<Rgb> vertex_values(const Mesh& mesh, const Field& field, const RowVa
     for (size_t v = begin; v < end; ++v) values[v] = value(field, static_cast<uint32_t>(v));
   });
   add_parents(mesh, &values);
+  for (Rgb& v : values) v = lit(v);
   return values;
 }
 
-// A point's value in terms of surpluses: those of its vertices, of their parents, and so on, each once.
-// The vertex of highest index has no children left, so its weight is complete when it is taken.
-Rgb value_in(const Slab& slab, const Field& field, const MeshPoint& point, double time, bool continuous) {
-  std::map<uint32_t, float, std::greater<>> weight_of;
-  for (int i = 0; i < 4; ++i) {
-    if (point.vertices[i] != kNone) weight_of[point.vertices[i]] += point.weights[i];
-  }
+// A vertex's value in terms of surpluses: its own, those of its parents, and so on, each once. The vertex of
+// highest index has no children left, so its weight is complete when it is taken.
+Rgb vertex_value(const Slab& slab, const Field& field, uint32_t of, double time, bool continuous) {
+  std::map<uint32_t, float, std::greater<>> weight_of{{of, 1.0f}};
   Rgb sum;
   while (!weight_of.empty()) {
     const auto [vertex, weight] = *weight_of.begin();
@@ -50,6 +51,14 @@ Rgb value_in(const Slab& slab, const Field& field, const MeshPoint& point, doubl
     const int count = parents[0] == kNone ? 0 : parents[2] == kNone ? 2 : 4;
     for (int i = 0; i < count; ++i) weight_of[parents[i]] += weight / static_cast<float>(count);
   }
+  return lit(sum);
+}
+
+Rgb value_in(const Slab& slab, const Field& field, const MeshPoint& point, double time, bool continuous) {
+  Rgb sum;
+  for (int i = 0; i < 4; ++i)
+    if (point.vertices[i] != kNone && point.weights[i] != 0)
+      sum += point.weights[i] * vertex_value(slab, field, point.vertices[i], time, continuous);
   return sum;
 }
 

@@ -30,7 +30,7 @@ inline double slab_end(const Slab& slab) { return slab.grid.spans.back().end; }
 // The slab that holds `time`, clamped. REQUIRES: at least one slab.
 uint32_t slab_at(const Solution& solution, double time);
 
-// Irradiance at every vertex of a slab's mesh (parents added in).
+// Irradiance at every vertex of a slab's mesh (parents added in).  Never negative.
 struct VertexLight {
   std::vector<Rgb> direct, indirect;  // W / m^2
 };
