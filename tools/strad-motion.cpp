@@ -1,6 +1,7 @@
 // Compiles a motion file onto a scene stream: bodies, spotlights, glows, cameras, interval and rate.
 #include "scene/import_text.h"
 #include "scene/motion_text.h"
+#include "solve/slab_work.h"
 #include "tool.h"
 
 namespace {
@@ -33,6 +34,7 @@ int compile_motion(const MotionArguments& arguments) {
   if (stream.solution) {
     // It is the light of the scene as it moved before.
     stream.solution.reset();
+    strad::drop_work(&stream.others);
     strad::note(arguments.common,
                 "the stream's solution is dropped, for the motion has changed: solve again");
   }

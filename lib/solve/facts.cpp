@@ -3,6 +3,8 @@
 #include <charconv>
 #include <map>
 
+#include "solve/slab_work.h"
+
 namespace strad {
 namespace {
 
@@ -126,6 +128,19 @@ Fact slab_facts(const Slab& slab) {
                     {"coefficients", number(coefficient_count(slab))}}};
 }
 
+Fact work_facts(const SlabWork& work) {
+  const auto count = [](uint64_t n) { return number(static_cast<double>(n)); };
+  return {FactGroup{{"begin s", number(work.begin)},
+                    {"end s", number(work.end)},
+                    {"clusters", count(work.clusters)},
+                    {"links", count(work.links)},
+                    {"links refined in time", count(work.links_refined_in_time)},
+                    {"links refined in space", count(work.links_refined_in_space)},
+                    {"kernel evaluations", count(work.kernel_evaluations)},
+                    {"rays", count(work.rays)},
+                    {"iterations", count(work.iterations)}}};
+}
+
 bool is_light(ChunkType type) { return type == kDirectChunk || type == kIndirectChunk; }
 
 Fact solution_facts(const Solution& solution, const std::vector<ChunkFacts>& chunks) {
@@ -193,6 +208,10 @@ Fact describe(const Stream& stream, const std::vector<ChunkFacts>& chunks, bool 
       {"provenance", list_of(stream.scene.provenance, [](const std::string& s) { return text(s); })},
       {"scene", scene_facts(stream.scene)}};
   if (stream.solution) all.push_back({"solution", solution_facts(*stream.solution, chunks)});
+  FactList work;
+  for (const Chunk& chunk : stream.others)
+    if (chunk.type == kWorkChunk) work.push_back(work_facts(decode_work(chunk.content, name_of(chunk.type))));
+  if (!work.empty()) all.push_back({"work", {std::move(work)}});
   all.push_back({"bytes", bytes_by_type(chunks)});
   if (list_chunks) all.push_back({"chunks", list_of(chunks, chunk_facts)});
   return {std::move(all)};
