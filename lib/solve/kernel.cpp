@@ -93,7 +93,6 @@ bool any_in_front(const PatchPoints& patch, const Pose& pose, Vec3 origin, Vec3 
 // Sums over the sample points at one date.
 struct KernelEvaluator::Means {
   double mean = 0;            // over all points
-  double quadrature = 0;      // over the quadrature points
   double receiver_error = 0;  // rms over control points against what is represented there
   double emitter_error = 0;   // as in KernelEstimate
 };
@@ -119,7 +118,7 @@ KernelEvaluator::Means KernelEvaluator::sample_patches(const Node& p, const Node
   Quarter quarters[4];
   quarters_of(patch_points(tree_, q), pose_q, quarters);
   const Vec3 lift_p = tracer_.offset() * normal, lift_q = tracer_.offset() * emitter_normal;
-  double at_control[9], shares[4] = {0, 0, 0, 0};
+  double at_control[9], shares[4] = {0, 0, 0, 0}, quadrature = 0;
   Means means;
   for (int i = 0; i < 4 + control; ++i) {
     const Uv uv = i < 4 ? kQuadrature[i] : kControl[i - 4];
@@ -141,13 +140,13 @@ KernelEvaluator::Means KernelEvaluator::sample_patches(const Node& p, const Node
     }
     means.mean += at_x;
     if (i < 4)
-      means.quadrature += at_x / 4;
+      quadrature += at_x / 4;
     else
       at_control[i - 4] = at_x;
   }
   means.mean /= 4 + control;
   for (int i = 0; i < control; ++i)
-    means.receiver_error += (at_control[i] - means.quadrature) * (at_control[i] - means.quadrature) / control;
+    means.receiver_error += (at_control[i] - quadrature) * (at_control[i] - quadrature) / control;
   means.receiver_error = std::sqrt(means.receiver_error);
   for (int j = 0; j < 4; ++j) {
     const double d = shares[j] / (4 + control) - means.mean * quarters[j].area / q.area;
@@ -157,9 +156,9 @@ KernelEvaluator::Means KernelEvaluator::sample_patches(const Node& p, const Node
   return means;
 }
 
-// Points of the receiver and parts of the emitter, world; those of patches and clusters alike.
 namespace {
 
+// Points of the receiver and parts of the emitter, world; those of patches and clusters alike.
 struct ReceiverPoint {
   Vec3 position, normal;
   float response = 1;  // of the represented irradiance there, in units of its mean
@@ -239,7 +238,7 @@ KernelEvaluator::Means KernelEvaluator::sample_clusters(const Node& p, const Nod
   EmitterPart parts[kMostParts];
   const int point_count = receiver_points(tree_, p, pose_p, towards, control, points);
   const int part_count = emitter_parts(tree_, q, pose_q, -1 * towards, parts);
-  double at_point[kMostPoints], shares[kMostParts] = {}, response = 0, free = 0, weighted_visible = 0;
+  double at_point[kMostPoints], shares[kMostParts] = {}, response = 0, free = 0;
   Means means;
   for (int i = 0; i < point_count; ++i) {
     double from[kMostParts], unoccluded = 0;
@@ -270,20 +269,19 @@ KernelEvaluator::Means KernelEvaluator::sample_clusters(const Node& p, const Nod
     at_point[i] = tested > 0 ? unoccluded * visible / tested : 0;
     means.mean += at_point[i] / point_count;
     free += unoccluded;
-    weighted_visible += at_point[i];
   }
   if (!(free > 0)) return means;
+  const double visible = std::clamp(means.mean * point_count / free, 0.05, 1.0);
   // Few samples share the sides of a cluster unevenly: what they would answer to one direction tells by how
   // much.
   double emitted = 0;
   for (int j = 0; j < part_count; ++j) emitted += parts[j].represented;
   for (const double sampled : {response, emitted})
     if (sampled > 0.05) {
-      const double factor = std::clamp(1 / sampled, 0.5, 2.0);
+      const double factor = std::min(1 / sampled, 2.0);
       means.mean *= factor;
       for (int i = 0; i < point_count; ++i) at_point[i] *= factor;
     }
-  means.quadrature = means.mean;
   double error2 = 0;
   for (int i = 0; i < point_count; ++i) {
     const double represented = response > 0.05 ? means.mean * points[i].response / response : means.mean;
@@ -296,8 +294,7 @@ KernelEvaluator::Means KernelEvaluator::sample_clusters(const Node& p, const Nod
     uneven += part_count * d * d;
   }
   // Which parts hide where visibility is partial is not known: any may.
-  const double visible = std::max(weighted_visible / free, 0.05);
-  means.emitter_error = means.mean * std::sqrt(uneven + (1 - std::min(visible, 1.0)) / visible);
+  means.emitter_error = means.mean * std::sqrt(uneven + (1 - visible) / visible);
   return means;
 }
 

@@ -1,6 +1,7 @@
 #include "solve/leaf_light.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "base/parallel.h"
@@ -9,8 +10,8 @@
 namespace strad {
 namespace {
 
-// A leaf's noise is averaged over the hundreds that a point sees: some 5 % of a patch, 10 % of a small face.
-constexpr FinalGather::Rays kLeafRays{128, 32};
+// A leaf's noise, some 5 % (10 % of a small face), is averaged over the hundreds that a point sees.
+constexpr int kLeafRays = 128;
 
 constexpr float kLeastOpen = 0.2f;  // a leaf more covered than this is all but unseen
 
@@ -61,31 +62,40 @@ double total_of(const NodeTree& tree, const LightFunctions& radiance) {
 }
 
 // One gather by rays over the radiance of all lights, in place: chunk after chunk, so that a chunk already
-// sees the light of those before it and no second copy is held. Returns the rays traced.
-uint64_t bounce(const Workspace& work, const DirectOfLights& direct, LightFunctions* radiance) {
+// sees the light of those before it and no second copy is held.
+struct Bounce {
+  uint64_t rays = 0;
+  double direct = 0;  // of what is reflected now, in the units of total_of(): what was so for the first time
+};
+Bounce bounce(const Workspace& work, const DirectOfLights& direct, LightFunctions* radiance) {
   constexpr size_t kChunk = 512;  // fixed: results must not depend on the number of threads
   const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, *radiance, kLeafRays);
   const std::vector<uint32_t>& lights = radiance->lights();
   std::vector<uint64_t> rays(lights.size(), 0);
+  std::vector<double> reflected_direct(lights.size(), 0.0);
   std::vector<std::vector<Rgb>> reflected(kChunk);
   for (size_t first = 0; first < lights.size(); first += kChunk) {
     const size_t count = std::min(kChunk, lights.size() - first);
     parallel_for(count, 8, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const uint32_t light = lights[first + i];
-        const Rgb brdf = surface_of(work.tree, light).brdf;
+        const LightSurface surface = surface_of(work.tree, light);
         GatheredFunction f = gather.over_light(light, &rays[first + i]);
         const std::vector<Rgb> from_direct = direct.irradiance(light, 0, work.grid.cell_count());
         reflected[i] = std::move(f.irradiance);
         // Means over the leaf become means over what of it is exposed at that date.
-        for (size_t d = 0; d < reflected[i].size(); ++d)
-          reflected[i][d] = (1 / std::max(f.open[d], kLeastOpen)) * brdf * (from_direct[d] + reflected[i][d]);
+        for (size_t d = 0; d < reflected[i].size(); ++d) {
+          const Rgb brdf = (1 / std::max(f.open[d], kLeastOpen)) * surface.brdf;
+          const Rgb once = brdf * from_direct[d];
+          reflected_direct[first + i] += surface.area * static_cast<double>(once.r + once.g + once.b);
+          reflected[i][d] = once + brdf * reflected[i][d];
+        }
       }
     });
     for (size_t i = 0; i < count; ++i)
       for (size_t d = 0; d < reflected[i].size(); ++d) radiance->set(lights[first + i], d, reflected[i][d]);
   }
-  return sum_of(rays);
+  return {sum_of(rays), std::accumulate(reflected_direct.begin(), reflected_direct.end(), 0.0)};
 }
 
 // Radiance that leaves reflect of direct light at the nodes of some cells: [slot][date].
@@ -98,13 +108,11 @@ std::vector<Rgb> direct_of_slots(const Workspace& work, const DirectOfLights& di
   for (uint32_t n = 0; n < nodes; ++n) {
     const Node& node = tree.nodes()[n];
     if (!node.is_leaf()) continue;
-    const auto add = [&](uint32_t light, size_t slot, float share) {
-      const Rgb brdf = share * surface_of(tree, light).brdf;
-      const std::vector<Rgb> e = direct.irradiance(light, first_cell, cells);
-      for (size_t d = 0; d < count; ++d) radiance[slot * count + d] += brdf * e[d];
+    const auto add = [&](const std::vector<Rgb>& irradiance, Rgb brdf, size_t slot) {
+      for (size_t d = 0; d < count; ++d) radiance[slot * count + d] += brdf * irradiance[d];
     };
     if (!node.is_cluster()) {
-      add(n, node.slot, 1);
+      add(direct.irradiance(n, first_cell, cells), surface_of(tree, n).brdf, node.slot);
       continue;
     }
     const Cluster& cluster = tree.cluster(node);
@@ -112,10 +120,11 @@ std::vector<Rgb> direct_of_slots(const Workspace& work, const DirectOfLights& di
       const uint32_t face = tree.cluster_faces()[i];
       const LobeWeights w = lobes_of_normal(tree.face_normal(face));
       const float share = static_cast<float>(tree.face_area(face)) / node.area;
-      for (int l = 0; l < 3; ++l) {
-        const float of_lobe = share * w.weight[l] / std::max(cluster.lobe_share[w.lobe[l]], 1e-20f);
-        if (w.weight[l] > 1e-4f) add(nodes + face, node.slot + static_cast<size_t>(w.lobe[l]), of_lobe);
-      }
+      const std::vector<Rgb> irradiance = direct.irradiance(nodes + face, first_cell, cells);
+      const Rgb brdf = surface_of(tree, nodes + face).brdf;
+      for (int l = 0; l < 3; ++l)
+        add(irradiance, (share * w.weight[l] / std::max(cluster.lobe_share[w.lobe[l]], 1e-20f)) * brdf,
+            node.slot + static_cast<size_t>(w.lobe[l]));
     }
   }
   return radiance;
@@ -234,21 +243,19 @@ double mean_radiance(const NodeTree& tree, const LightFunctions& radiance) {
 }
 
 uint64_t settle_by_rays(const Workspace& work, const DirectOfLights& direct, LightFunctions* radiance) {
-  constexpr int kBounces = 2;
-  uint64_t rays = 0;
-  double totals[kBounces + 1] = {total_of(work.tree, *radiance)};
-  for (int b = 1; b <= kBounces; ++b) {
-    rays += bounce(work, direct, radiance);
-    totals[b] = total_of(work.tree, *radiance);
-  }
-  const double first = totals[kBounces - 1] - totals[kBounces - 2];
-  const double second = totals[kBounces] - totals[kBounces - 1];
-  const double factor = first != 0 ? std::clamp(second / first, 0.0, 0.8) : 0;
-  const double limit = totals[kBounces] + second * factor / (1 - factor);
-  const auto scale = static_cast<float>(totals[kBounces] > 0 ? limit / totals[kBounces] : 1);
+  const Bounce first = bounce(work, direct, radiance);
+  const double before = total_of(work.tree, *radiance);
+  const Bounce second = bounce(work, direct, radiance);
+  const double after = total_of(work.tree, *radiance);
+  if (!(after > 0)) return first.rays + second.rays;
+  // L = D + T L: the share of light that was reflected before is what a bounce multiplies errors by. Done in
+  // place it does better, for leaves see ever more that was corrected: e' = f (e - e0) along the way.
+  const double f = std::clamp(1 - second.direct / after, 1e-3, 0.95);
+  const double factor = 1 - (1 - f) * std::expm1(f) / f;
+  const auto scale = static_cast<float>(1 + (after - before) / after * factor / (1 - factor));
   for (const uint32_t light : radiance->lights())
     for (size_t d = 0; d < radiance->dates(); ++d) radiance->set(light, d, scale * radiance->get(light, d));
-  return rays;
+  return first.rays + second.rays;
 }
 
 }  // namespace strad

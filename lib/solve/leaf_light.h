@@ -51,8 +51,9 @@ LightFunctions propagate_all(const Workspace& work, const DirectOfLights& direct
 double mean_radiance(const NodeTree& tree, const LightFunctions& radiance);
 
 // Takes out what is left of the links' errors, which are sums of small ones of one sign: bounces by rays,
-// which are unbiased, shrink it by one factor each; the factor is seen from two bounces and the rest of the
-// geometric series added at once (Aitken's extrapolation). Returns the rays traced.
+// which are unbiased, shrink it by one factor each. The factor is known from how much of the light was
+// reflected more than once, so after two the rest of the geometric series is added at once. Returns the rays
+// traced.
 uint64_t settle_by_rays(const Workspace& work, const DirectOfLights& direct, LightFunctions* radiance);
 
 }  // namespace strad

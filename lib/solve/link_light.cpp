@@ -39,14 +39,14 @@ LinkLight light_along_links(const Workspace& work, const std::vector<Instant>& i
   const std::vector<uint32_t> watched = strided_dates(work.grid.node_count(), kWatchedDates);
   LinkTable table;
   std::vector<ClusterReflection> reflections;
-  std::vector<float> scales;
+  std::vector<float> openness;
   TransportInput input;
   input.grid = &work.grid;
   input.tree = tree;
   input.links = &table;
   input.instants = &instants;
   input.reflections = &reflections;
-  input.balance = &scales;
+  input.openness = &openness;
   input.residual = options.residual;
   {
     Refinement refinement(work.grid, kernels, *direct, watched, tree);
@@ -55,8 +55,7 @@ LinkLight light_along_links(const Workspace& work, const std::vector<Instant>& i
       refinement.refine({looseness * options.threshold, options.smallest_radius});
       table = make_link_table(work.grid, static_cast<uint32_t>(tree->nodes().size()), refinement.links());
       reflections = reflections_of(*tree);
-      const std::vector<uint32_t> few = strided_dates(work.grid.node_count(), kBlock);
-      scales = balance(input, few, openness_of(work, &stats->indirect.rays));
+      openness = openness_of(work, &stats->indirect.rays);
       if (looseness > 1) update(input, watched, &refinement);
     }
     const RefinementCounts& counts = refinement.counts();

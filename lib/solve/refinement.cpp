@@ -169,10 +169,10 @@ bool Refinement::can_split(const Node& node, const RefinementOptions& options) c
 Refinement::Action Refinement::decide_unseen(const Link& link, const RefinementOptions& options) const {
   const Node &p = tree_.nodes()[link.receiver], &q = tree_.nodes()[link.emitter];
   if (!p.is_cluster() && !q.is_cluster() && p.face == q.face) return Action::kDrop;  // they lie in one plane
-  const Brightness bright = brightness(link);
-  if (!(bright.radiance > 0)) return Action::kWait;
+  // Dark at some dates is not enough: the sums of kernels must not depend on what is lit.
+  if (!is_lit(link.emitter)) return Action::kWait;
   // Where boxes meet the whole view may be filled, and from anywhere.
-  if (bright.radiance * 0.5 * kPi * scale_of(p) <= options.threshold) return Action::kUnknown;
+  if (brightness(link).radiance * 0.5 * kPi * scale_of(p) <= options.threshold) return Action::kUnknown;
   if (!kernels_.overlap(link.receiver, link.emitter, link.interval)) return Action::kUnknown;
   const bool can_receiver = can_split(p, options), can_emitter = can_split(q, options);
   if (can_emitter && (q.radius > p.radius || !can_receiver)) return Action::kSplitEmitter;

@@ -59,6 +59,35 @@ void pull(const NodeTree& tree, size_t width, float* radiance) {
   }
 }
 
+std::vector<float> scales_of(const TransportInput& input, const LinkGather& gather, size_t count) {
+  // Larger ones tell of a gap or a contact, where no sum is to be trusted.
+  constexpr float kHighest = 1.6f;
+  const NodeTree& tree = *input.tree;
+  std::vector<float> scales(tree.slot_count() * count, 1.0f);
+  if (!input.openness) return scales;
+  const size_t width = 3 * count;
+  const std::vector<float> unit(tree.slot_count() * width, 1.0f);
+  std::vector<float> sums(tree.slot_count() * width, 0.0f);
+  gather.run(unit.data(), sums.data());
+  push(tree, width, sums.data());
+  const auto all = static_cast<float>(kPi);  // irradiance of a whole view of unit radiance
+  for (size_t n = 0; n < tree.nodes().size(); ++n) {
+    const Node& node = tree.nodes()[n];
+    if (!node.is_leaf()) continue;
+    for (size_t j = 0; j < count; ++j) {
+      const auto sum_of = [&](size_t s) { return sums[(node.slot + s) * width + 3 * j]; };
+      float mean = 0;
+      for (size_t s = 0; s < slots_of(node); ++s)
+        mean += sum_of(s) * (node.is_cluster() ? tree.cluster(node).lobe_share[s] : 1.0f);
+      if (!(mean > 0)) continue;
+      const float scale = std::min(all * (*input.openness)[n] / mean, kHighest);
+      for (size_t s = 0; s < slots_of(node); ++s)
+        scales[(node.slot + s) * count + j] = scale * sum_of(s) > all ? all / sum_of(s) : scale;
+    }
+  }
+  return scales;
+}
+
 }  // namespace
 
 LinkTable make_link_table(const TimeGrid& grid, uint32_t node_count, const std::vector<Link>& links) {
@@ -115,6 +144,7 @@ NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& da
   const NodeTree& tree = *input.tree;
   const size_t count = dates.size(), width = 3 * count;
   const LinkGather gather(input, dates);
+  const std::vector<float> scales = scales_of(input, gather, count);
   NodeLight light;
   light.radiance.assign(tree.slot_count() * count, {});
   light.irradiance.assign(tree.slot_count() * count, {});
@@ -142,9 +172,8 @@ NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& da
     for (size_t n = 0; n < tree.nodes().size(); ++n) {
       const Node& node = tree.nodes()[n];
       if (!node.is_leaf()) continue;
-      const float scale = (*input.balance)[n];
       Rgb* e = light.irradiance.data() + node.slot * count;
-      for (size_t j = 0; j < slots_of(node) * count; ++j) e[j] = scale * e[j];
+      for (size_t j = 0; j < slots_of(node) * count; ++j) e[j] = scales[node.slot * count + j] * e[j];
       const Rgb* from_direct = direct.data() + node.slot * count;
       if (!node.is_cluster()) {
         const Rgb brdf = static_cast<float>(1 / kPi) * node.reflectance;
@@ -170,28 +199,8 @@ NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& da
   return light;
 }
 
-std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& dates,
-                           const std::vector<float>& row_sums) {
-  const NodeTree& tree = *input.tree;
-  const size_t count = dates.size(), width = 3 * count;
-  const std::vector<float> unit(tree.slot_count() * width, 1.0f);
-  std::vector<float> sums(tree.slot_count() * width, 0.0f);
-  LinkGather(input, dates).run(unit.data(), sums.data());
-  push(tree, width, sums.data());
-  // A scale beyond these bounds tells of a gap or a contact, where no sum is to be trusted.
-  constexpr float kLowest = 0.6f, kHighest = 1.6f;
-  std::vector<float> scales(tree.nodes().size(), 1.0f);
-  for (size_t n = 0; n < tree.nodes().size(); ++n) {
-    const Node& node = tree.nodes()[n];
-    if (!node.is_leaf()) continue;
-    double sum = 0;
-    for (size_t s = 0; s < slots_of(node); ++s)
-      for (size_t j = 0; j < width; ++j)
-        sum += sums[(node.slot + s) * width + j] *
-               (node.is_cluster() ? tree.cluster(node).lobe_share[s] : 1) / static_cast<double>(width);
-    if (sum > 0) scales[n] = std::clamp(static_cast<float>(kPi * row_sums[n] / sum), kLowest, kHighest);
-  }
-  return scales;
+std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& dates) {
+  return scales_of(input, LinkGather(input, dates), dates.size());
 }
 
 }  // namespace strad

@@ -60,8 +60,9 @@ struct TransportInput {
   // Radiance that a leaf reflects of direct light at a column, by slot, W / (sr m^2).
   std::function<Rgb(size_t slot, size_t column)> direct;
   const std::vector<ClusterReflection>* reflections = nullptr;
-  // Scales of gathered irradiance by node (leaves only), see balance().
-  const std::vector<float>* balance = nullptr;
+  // What the kernels of each leaf should add up to, in units of pi, by node; null: as they are. See
+  // balance().
+  const std::vector<float>* openness = nullptr;
   double residual = 1e-3;  // largest mean change of radiance, relative
   int max_iterations = 100;
 };
@@ -78,12 +79,12 @@ struct NodeLight {
 // the first date; the others follow.
 NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& dates, uint32_t first_column);
 
-// Energy balance: scales that make the exchange of every leaf add up to its openness.
+// Energy balance: what propagate() scales gathered irradiance by, so that the exchange of every leaf adds up
+// to its openness at every date: [slot * dates.size() + i], leaves only.
 //
 // In a closed scene the form factors of a patch add up to 1. The error of each link is below a threshold but
-// thousands of them err with one sign, so one gather of unit radiance tells by how much to scale.
-// `row_sums`: [node], leaves only: what they should be, in units of pi.
-std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& dates,
-                           const std::vector<float>& row_sums);
+// thousands of them err with one sign, so one gather of unit radiance tells by how much to scale. No lobe
+// gets more than a whole view, so that bounces always die away, however coarse the links.
+std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& dates);
 
 }  // namespace strad

@@ -152,6 +152,21 @@ TEST(ClusterTransport, ALinkCostsTheSameForAnyNumberOfFaces) {
   }
 }
 
+// However wrong the kernels between two clusters that show each other next to nothing, bounces die away.
+TEST(ClusterTransport, BouncesDieAwayHoweverCoarseTheLinks) {
+  Scene scene;
+  scene.end = 1;
+  add_boxes(&scene, {0, 0, 0}, {1, 1, 0.01}, 1, 0.8);
+  add_boxes(&scene, {3, 0, 0}, {4, 1, 0.01}, 1, 0.8, add_body(&scene, {}));
+  const Workbench bench(scene, 1, 1, Roots::kClusters);
+  Transport transport(bench, {link_of(0, 1, bench.always(), {3.0f}), link_of(1, 0, bench.always(), {3.0f})});
+  const std::vector<float> one(bench.nodes->nodes().size(), 1.0f);
+  transport.input.openness = &one;
+  const NodeLight light = transport.solve([](size_t) { return Rgb{1, 1, 1}; });
+  EXPECT_LT(light.residual, 1e-6);
+  for (const Rgb& l : light.radiance) EXPECT_LE(l.r, 1 / (1 - 0.8) + 1e-3);
+}
+
 // A closed room with small boxes in its air, all of which emit 1 and reflect a half: rho Le / (1 - rho) = 1
 // is reflected everywhere.
 TEST(ClusterTransport, FurnaceWithSmallBoxes) {
@@ -170,11 +185,15 @@ TEST(ClusterTransport, FurnaceWithSmallBoxes) {
   EXPECT_GT(of_clusters, 50u);  // else the test is of patches
   // The sums of kernels, which the furnace makes 1, before any balance.
   const std::vector<float> one(bench.nodes->nodes().size(), 1.0f);
-  transport.scales = balance(transport.input, transport.dates(), one);
+  transport.input.openness = &one;
+  const std::vector<float> scales = balance(transport.input, transport.dates());
   double sum = 0, area = 0;
   for (uint32_t n = 0; n < bench.nodes->nodes().size(); ++n) {
     if (!bench.node(n).is_leaf()) continue;
-    sum += static_cast<double>(bench.node(n).area / transport.scales[n]);
+    const Node& node = bench.node(n);
+    for (uint32_t l = 0; l < (node.is_cluster() ? kLobes : 1u); ++l)
+      sum += static_cast<double>(node.area * (node.is_cluster() ? bench.cluster(n).lobe_share[l] : 1.0f) /
+                                 scales[node.slot + l]);
     area += static_cast<double>(bench.node(n).area);
   }
   EXPECT_NEAR(sum / area, 1, 0.05);

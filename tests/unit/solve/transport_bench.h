@@ -27,16 +27,14 @@ struct Transport {
   const Workbench& bench;
   LinkTable table;
   std::vector<ClusterReflection> reflections;
-  std::vector<float> scales;  // as balance() gives them; 1 at first
   TransportInput input;
 
   Transport(const Workbench& b, const std::vector<Link>& links)
       : bench(b),
         table(make_link_table(b.grid, static_cast<uint32_t>(b.nodes->nodes().size()), links)),
-        reflections(reflections_of(*b.nodes)),
-        scales(b.nodes->nodes().size(), 1.0f) {
+        reflections(reflections_of(*b.nodes)) {
     input.grid = &bench.grid, input.tree = bench.nodes.get(), input.instants = &bench.instants;
-    input.links = &table, input.reflections = &reflections, input.balance = &scales;
+    input.links = &table, input.reflections = &reflections;
     input.residual = 1e-6;
   }
   Transport(const Transport&) = delete;
