@@ -63,6 +63,18 @@ struct Box {
   }
   Vec3 centre() const { return 0.5 * (lower + upper); }
   double diagonal() const { return empty() ? 0 : length(upper - lower); }
+  // Does the segment from `from` to from + reach * direction meet the box? (Kay & Kajiya 1986)
+  bool meets(Vec3 from, Vec3 direction, double reach) const {
+    double near = 0, far = reach;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double inverse = 1 / direction[axis];
+      double a = (lower[axis] - from[axis]) * inverse, b = (upper[axis] - from[axis]) * inverse;
+      if (a > b) std::swap(a, b);
+      if (a > near) near = a;
+      if (b < far) far = b;
+    }
+    return near <= far * (1 + 1e-6);  // what a ray tracer in floats may still call a hit
+  }
 };
 
 // Two unit vectors that complete the unit vector `n` to a right-handed frame

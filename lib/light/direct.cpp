@@ -1,7 +1,6 @@
 #include "light/direct.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/rng.h"
@@ -23,44 +22,6 @@ int clip_to_horizon(Vec3 point, Vec3 normal, const Vec3* corners, int count, Vec
 
 // With more emitters than this above the horizon, those that give less than their share of all are faint.
 constexpr int kFew = 48;
-
-struct EmitterAtInstant {
-  std::array<Vec3, 4> corners;
-  int count = 0;
-  Vec3 normal, centre;
-  double area = 0;
-};
-
-EmitterAtInstant emitter_at(const Scene& scene, const Polygon& polygon, const Instant& instant) {
-  EmitterAtInstant e;
-  e.count = polygon.corner_count();
-  const Pose& pose = instant.world_from_body[body_of(scene, polygon)];
-  for (int c = 0; c < e.count; ++c) e.corners[c] = pose * scene.vertices[polygon.corners[c]];
-  const Vec3 doubled = e.count == 4 ? cross(e.corners[2] - e.corners[0], e.corners[3] - e.corners[1])
-                                    : cross(e.corners[1] - e.corners[0], e.corners[2] - e.corners[0]);
-  e.area = length(doubled) / 2;
-  e.normal = normalized(doubled);
-  for (int c = 0; c < e.count; ++c) e.centre += e.corners[c] / e.count;
-  return e;
-}
-
-// Maps the unit square onto the polygon: bilinearly, or by folding onto a triangle.
-Vec3 point_on(const EmitterAtInstant& e, double u, double v) {
-  if (e.count == 4) return lerp(lerp(e.corners[0], e.corners[1], u), lerp(e.corners[3], e.corners[2], u), v);
-  const double root = std::sqrt(u);  // uniform by area (Turk 1990)
-  return (1 - root) * e.corners[0] + root * (1 - v) * e.corners[1] + root * v * e.corners[2];
-}
-
-// The point at (u, v) of an emitter as one of unit weight for all its area.
-EmitterSample sample_at(const EmitterAtInstant& e, const SurfacePoint& point, double offset, double u,
-                        double v) {
-  const Vec3 y = point_on(e, u, v), to = y - point.position;
-  const double cos_receiver = dot(to, point.normal), cos_emitter = -dot(to, e.normal);
-  if (!(cos_receiver > 0) || !(cos_emitter > 0)) return {};
-  const double distance2 = length2(to);
-  return {y + offset * e.normal,
-          static_cast<float>(cos_receiver * cos_emitter * e.area / (distance2 * distance2)), 0};
-}
 
 }  // namespace
 
@@ -98,13 +59,46 @@ double spot_falloff(const Spot& spot, double cos_theta) {
 }
 
 DirectLight::DirectLight(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer_(tracer) {
-  const std::vector<bool> moves = moving_bodies(scene);
-  for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
-    if (!emits(scene, scene.polygons[p])) continue;
-    emitters_.push_back(p);
-    (moves[body_of(scene, scene.polygons[p])] ? moving_ : still_).push_back(p);
-  }
+  for (uint32_t p = 0; p < scene.polygons.size(); ++p)
+    if (emits(scene, scene.polygons[p])) emitters_.push_back(p);
+  const std::vector<bool> moving = moving_bodies(scene);
+  const auto moves = [&](uint32_t p) { return moving[body_of(scene, scene.polygons[p])]; };
+  std::stable_partition(emitters_.begin(), emitters_.end(), [&](uint32_t p) { return !moves(p); });
+  const std::vector<Pose> poses = poses_at(scene, scene.start);
+  for (const uint32_t p : emitters_)
+    if (!moves(p)) still_.push_back(emitter_at(p, poses));
   for (const Spot& spot : scene.spots) cos_outer_.push_back(std::cos(spot.outer));
+}
+
+DirectLight::Emitter DirectLight::emitter_at(uint32_t p, const std::vector<Pose>& world_from_body) const {
+  const Polygon& polygon = scene_.polygons[p];
+  const Pose& pose = world_from_body[body_of(scene_, polygon)];
+  Emitter e;
+  e.count = polygon.corner_count();
+  for (int c = 0; c < e.count; ++c) {
+    e.corners[c] = pose * scene_.vertices[polygon.corners[c]];
+    e.centre += e.corners[c] / e.count;
+  }
+  const Vec3 doubled = e.count == 4 ? cross(e.corners[2] - e.corners[0], e.corners[3] - e.corners[1])
+                                    : cross(e.corners[1] - e.corners[0], e.corners[2] - e.corners[0]);
+  e.area = length(doubled) / 2;
+  e.normal = normalized(doubled);
+  return e;
+}
+
+// The point at (u, v) of the unit square, which is mapped bilinearly or folded onto a triangle, as one of
+// unit weight for all the area.
+EmitterSample DirectLight::sample_at(const Emitter& e, const SurfacePoint& point, double u, double v) const {
+  const double root = std::sqrt(u);  // uniform by area (Turk 1990)
+  const Vec3 y = e.count == 4
+                     ? lerp(lerp(e.corners[0], e.corners[1], u), lerp(e.corners[3], e.corners[2], u), v)
+                     : (1 - root) * e.corners[0] + root * (1 - v) * e.corners[1] + root * v * e.corners[2];
+  const Vec3 to = y - point.position;
+  const double cos_receiver = dot(to, point.normal), cos_emitter = -dot(to, e.normal);
+  if (!(cos_receiver > 0) || !(cos_emitter > 0)) return {};
+  const double distance2 = length2(to);
+  return {y + tracer_.offset() * e.normal,
+          static_cast<float>(cos_receiver * cos_emitter * e.area / (distance2 * distance2)), 0};
 }
 
 Rgb DirectLight::spots(const Instant& instant, const SurfacePoint& point, uint64_t* rays) const {
@@ -131,20 +125,23 @@ Rgb DirectLight::spots(const Instant& instant, const SurfacePoint& point, uint64
 std::vector<EmitterSample> DirectLight::emitter_samples(const Instant& instant, const SurfacePoint& point,
                                                         int samples, uint64_t seed, Which which) const {
   struct Candidate {
-    EmitterAtInstant shape;
+    Emitter shape;
     uint32_t polygon;
     double likely;  // W / m^2, roughly, unoccluded
   };
   std::vector<Candidate> candidates;
   double total = 0;
-  for (const uint32_t p : which == Which::kAll ? emitters_ : which == Which::kStill ? still_ : moving_) {
+  const size_t first_emitter = which == Which::kMoving ? still_.size() : 0;
+  const size_t end_emitter = which == Which::kStill ? still_.size() : emitters_.size();
+  for (size_t i = first_emitter; i < end_emitter; ++i) {
+    const uint32_t p = emitters_[i];
     const Polygon& polygon = scene_.polygons[p];
     if (p == point.polygon || instant.glow[polygon.material] == 0) continue;
-    const EmitterAtInstant e = emitter_at(scene_, polygon, instant);
+    const Emitter e = i < still_.size() ? still_[i] : emitter_at(p, instant.world_from_body);
     if (!(dot(point.position - e.corners[0], e.normal) > 0)) continue;  // behind its front
     double highest = -1;
-    for (int i = 0; i < e.count; ++i)
-      highest = std::max(highest, dot(e.corners[i] - point.position, point.normal));
+    for (int c = 0; c < e.count; ++c)
+      highest = std::max(highest, dot(e.corners[c] - point.position, point.normal));
     if (!(highest > 0)) continue;  // below the horizon
     const Vec3 to = e.centre - point.position;
     const double radius2 = length2(e.corners[0] - e.centre), distance2 = length2(to) + radius2;
@@ -167,15 +164,14 @@ std::vector<EmitterSample> DirectLight::emitter_samples(const Instant& instant, 
     const double unoccluded =
         unit_irradiance(point.position, point.normal, c.shape.corners.data(), c.shape.count);
     if (!(unoccluded > 0)) continue;
-    const double most = std::sqrt(samples);
-    const int side =
-        std::max(1, static_cast<int>(std::lround(most * std::sqrt(std::min(1.0, 8 * c.likely / total)))));
+    const double share = std::min(1.0, 8 * c.likely / total);
+    const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(samples * share))));
     const size_t first = chosen.size();
     double all = 0;
     for (int i = 0; i < side * side; ++i) {
       const uint64_t h = hash_of(seed, c.polygon, static_cast<uint64_t>(i));
       const double u = (i % side + unit_from(h)) / side, v = (i / side + unit_from(mix64(h))) / side;
-      const EmitterSample sample = sample_at(c.shape, point, tracer_.offset(), u, v);
+      const EmitterSample sample = sample_at(c.shape, point, u, v);
       if (!(sample.irradiance > 0)) continue;
       chosen.push_back(sample);
       all += sample.irradiance;
@@ -188,16 +184,16 @@ std::vector<EmitterSample> DirectLight::emitter_samples(const Instant& instant, 
   // Of the faint ones draw some, as often as they are likely to matter.
   if (!(faint > 0)) return chosen;
   const int draws = std::max(1, static_cast<int>(std::ceil(4 * samples * faint / total)));
+  const double u0 = unit_from(hash_of(seed, 8)), v0 = unit_from(hash_of(seed, 9));
   double next = unit_from(hash_of(seed, 7)) * faint / draws;
   double before = 0;
-  uint64_t draw = 0;
+  uint32_t draw = 0;
   for (const Candidate& c : candidates) {
     if (!(c.likely < least)) continue;
     before += c.likely;
     for (; next < before; next += faint / draws) {
-      const Point2 uv =
-          r2_point(static_cast<uint32_t>(draw++), unit_from(hash_of(seed, 8)), unit_from(hash_of(seed, 9)));
-      EmitterSample sample = sample_at(c.shape, point, tracer_.offset(), uv.u, uv.v);
+      const Point2 uv = r2_point(draw++, u0, v0);
+      EmitterSample sample = sample_at(c.shape, point, uv.u, uv.v);
       sample.irradiance *= static_cast<float>(faint / (draws * c.likely));
       sample.material = scene_.polygons[c.polygon].material;
       if (sample.irradiance > 0) chosen.push_back(sample);
@@ -206,16 +202,23 @@ std::vector<EmitterSample> DirectLight::emitter_samples(const Instant& instant, 
   return chosen;
 }
 
-Rgb DirectLight::irradiance(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed,
-                            uint64_t* rays) const {
-  uint64_t traced = 0;
-  Rgb sum = spots(instant, point, &traced);
+Rgb DirectLight::emitters(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed,
+                          Which which, uint64_t* rays) const {
   const Vec3 lifted = point.position + tracer_.offset() * point.normal;
-  for (const EmitterSample& sample : emitter_samples(instant, point, samples, seed, Which::kAll)) {
-    ++traced;
+  Rgb sum;
+  for (const EmitterSample& sample : emitter_samples(instant, point, samples, seed, which)) {
+    ++*rays;
     if (tracer_.occluded(instant.world_from_body, lifted, sample.target)) continue;
     sum += (sample.irradiance * instant.glow[sample.material]) * scene_.materials[sample.material].emission;
   }
+  return sum;
+}
+
+Rgb DirectLight::irradiance(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed,
+                            uint64_t* rays) const {
+  uint64_t traced = 0;
+  const Rgb sum =
+      spots(instant, point, &traced) + emitters(instant, point, samples, seed, Which::kAll, &traced);
   if (rays) *rays += traced;
   return sum;
 }

@@ -2,6 +2,7 @@
 // alike.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -45,20 +46,36 @@ class DirectLight {
   // Of spots alone: one shadow ray for each in whose cone the point is.
   Rgb spots(const Instant& instant, const SurfacePoint& point, uint64_t* rays) const;
 
+  // Emitting polygons that move, those that do not, or both.
+  enum class Which : uint8_t { kAll, kStill, kMoving };
+  bool has_moving_emitters() const { return still_.size() < emitters_.size(); }
+
+  // Of emitting polygons alone: all samples that are visible.
+  Rgb emitters(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed, Which which,
+               uint64_t* rays) const;
+
   // What to look at to know the light of emitting polygons. The ones that matter get about `samples`
   // stratified points each, in proportion to what they may contribute, by Lambert's formula; of the many that
   // matter little some are drawn and stand for all.
-  enum class Which : uint8_t { kAll, kStill, kMoving };
   std::vector<EmitterSample> emitter_samples(const Instant& instant, const SurfacePoint& point, int samples,
                                              uint64_t seed, Which which) const;
-  bool has_moving_emitters() const { return !moving_.empty(); }
 
  private:
+  // An emitting polygon at an instant, world.
+  struct Emitter {
+    std::array<Vec3, 4> corners;
+    int count = 0;
+    Vec3 normal, centre;
+    double area = 0;
+  };
+  Emitter emitter_at(uint32_t polygon, const std::vector<Pose>& world_from_body) const;
+  EmitterSample sample_at(const Emitter& emitter, const SurfacePoint& point, double u, double v) const;
+
   const Scene& scene_;
   const Tracer& tracer_;
-  std::vector<uint32_t> emitters_;        // polygons
-  std::vector<uint32_t> still_, moving_;  // the same, by whether their body moves
-  std::vector<double> cos_outer_;         // of spots
+  std::vector<uint32_t> emitters_;  // polygons, first those that do not move
+  std::vector<Emitter> still_;      // where those are for good
+  std::vector<double> cos_outer_;   // of spots
 };
 
 // Irradiance at `point` with `normal` from the convex planar `corners` (count of them, any winding) of unit

@@ -22,19 +22,6 @@ struct LocalRay {
   Vec3 from, direction;
 };
 
-// May the ray meet the box before `reach`? (Kay & Kajiya 1986)
-bool may_meet(const Box& box, const LocalRay& ray, double reach) {
-  double near = 0, far = reach;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double inverse = 1 / ray.direction[axis];
-    double a = (box.lower[axis] - ray.from[axis]) * inverse, b = (box.upper[axis] - ray.from[axis]) * inverse;
-    if (a > b) std::swap(a, b);
-    if (a > near) near = a;
-    if (b < far) far = b;
-  }
-  return near <= far * (1 + 1e-6);
-}
-
 RTCRay embree_ray(const LocalRay& local, double reach) {
   RTCRay ray{};
   ray.org_x = static_cast<float>(local.from.x);
@@ -111,7 +98,7 @@ struct Tracer::State {
 
   bool occluded(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction) const {
     const LocalRay local = into(group, poses, from, direction);
-    if (group.moves && !may_meet(body_boxes[group.body], local, 1)) return false;
+    if (group.moves && !body_boxes[group.body].meets(local.from, local.direction, 1)) return false;
     RTCRay ray = embree_ray(local, 1.0);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -122,11 +109,10 @@ struct Tracer::State {
   void closest(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction, double reach,
                SurfaceHit* best) const {
     const LocalRay local = into(group, poses, from, direction);
-    if (group.moves &&
-        !may_meet(body_boxes[group.body], local, best->polygon == kNone ? reach : best->distance))
-      return;
+    if (best->polygon != kNone) reach = best->distance;
+    if (group.moves && !body_boxes[group.body].meets(local.from, local.direction, reach)) return;
     RTCRayHit query{};
-    query.ray = embree_ray(local, best->polygon == kNone ? reach : best->distance);
+    query.ray = embree_ray(local, reach);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);

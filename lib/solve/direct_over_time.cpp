@@ -68,18 +68,11 @@ std::vector<Rgb> DirectOverTime::irradiance(const RestPoint& rest, const std::ve
     return values;
   }
   const SurfacePoint point = at(all_lit_);
-  const Vec3 lifted = point.position + tracer_.offset() * point.normal;
   for (size_t i = 0; i < nodes.size(); ++i) {
     const Instant& instant = instants_[nodes[i]];
     values[i] = light_.spots(instant, point, rays);
-    if (!light_.has_moving_emitters()) continue;
-    for (const EmitterSample& sample :
-         light_.emitter_samples(instant, point, samples_, seed, DirectLight::Which::kMoving)) {
-      ++*rays;
-      if (tracer_.occluded(instant.world_from_body, lifted, sample.target)) continue;
-      values[i] +=
-          (sample.irradiance * instant.glow[sample.material]) * scene_.materials[sample.material].emission;
-    }
+    if (light_.has_moving_emitters())
+      values[i] += light_.emitters(instant, point, samples_, seed, DirectLight::Which::kMoving, rays);
   }
   add_still_emitters(point, nodes, seed, &values, rays);
   return values;

@@ -7,12 +7,10 @@
 
 #include "base/parallel.h"
 #include "base/rng.h"
+#include "solve/uniform_rows.h"
 
 namespace strad {
 namespace {
-
-// Faces whose functions are held in full at once, before they are compressed.
-constexpr uint32_t kChunk = 512;
 
 double longest_edge(const Mesh& mesh, const Element& element) {
   double longest = 0;
@@ -177,35 +175,13 @@ std::vector<uint32_t> DirectPhase::worthwhile_cells(const Work& work) const {
   return cells;
 }
 
-// One function a uniform face, compressed at once: there may be a million of them.
-void DirectPhase::evaluate_uniform() {
-  uniform_.order = grid_.order;
-  const uint32_t uniform = builder_.uniform_count();
+void DirectPhase::run() {
   std::vector<uint32_t> all_nodes(grid_.node_count());
   std::iota(all_nodes.begin(), all_nodes.end(), 0u);
-  for (uint32_t first = 0; first < uniform; first += kChunk) {
-    const uint32_t count = std::min(kChunk, uniform - first);
-    std::vector<std::vector<Rgb>> rows(count);
-    std::vector<uint64_t> rays(count, 0);
-    parallel_for(count, 4, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i)
-        rows[i] = irradiance(first + static_cast<uint32_t>(i), all_nodes, &rays[i]);
-    });
-    for (uint32_t i = 0; i < count; ++i) {
-      append_row(grid_, rows[i], {}, tolerance_of(first + i), &uniform_);
-      rays_ += rays[i];
-    }
-  }
-  evaluations_ += uint64_t{uniform} * grid_.node_count();
-}
-
-float DirectPhase::tolerance_of(uint32_t vertex) const {
-  return options_.tolerance /
-         std::max(0.2f, static_cast<float>(builder_.prominence(builder_.face_of_vertex(vertex))));
-}
-
-void DirectPhase::run() {
-  evaluate_uniform();
+  uniform_ = rows_of_uniform_faces(
+      grid_, builder_, options_.tolerance,
+      [&](uint32_t vertex, uint64_t* rays) { return irradiance(vertex, all_nodes, rays); }, &rays_);
+  evaluations_ += uint64_t{builder_.uniform_count()} * grid_.node_count();
   std::vector<uint32_t> all_cells(grid_.cell_count());
   std::iota(all_cells.begin(), all_cells.end(), 0u);
   const Mesh& mesh = builder_.mesh();
@@ -228,8 +204,7 @@ std::vector<Rgb> DirectPhase::mean_irradiance(uint32_t element, const std::vecto
     for (size_t i = 0; i < cells.size();) {  // runs of adjacent cells
       size_t j = i + 1;
       while (j < cells.size() && cells[j] == cells[j - 1] + 1) ++j;
-      const std::vector<Rgb> run = uniform_irradiance(element, cells[i], static_cast<uint32_t>(j - i));
-      std::copy(run.begin(), run.end(), mean.begin() + static_cast<ptrdiff_t>(i * order));
+      add_values(grid_, uniform_, e.vertices[0], cells[i], static_cast<uint32_t>(j - i), &mean[i * order]);
       i = j;
     }
     return mean;
@@ -262,19 +237,12 @@ std::vector<Rgb> DirectPhase::mean_irradiance(uint32_t element, const std::vecto
   return mean;
 }
 
-std::vector<Rgb> DirectPhase::uniform_irradiance(uint32_t element, uint32_t first, uint32_t count) const {
-  std::vector<Rgb> values(count * static_cast<size_t>(grid_.order));
-  add_values(grid_, uniform_, builder_.mesh().elements[element].vertices[0], first, count, values.data());
-  return values;
-}
-
 Field DirectPhase::surpluses() {
   const auto order = static_cast<size_t>(grid_.order);
   const Mesh& mesh = builder_.mesh();
   const std::vector<bool> hanging = builder_.hanging_vertices();
   functions_.resize(mesh.vertices.size());
   Field field = std::move(uniform_);
-  field.expect_rows(mesh.vertices.size());
   for (uint32_t v = builder_.uniform_count(); v < mesh.vertices.size(); ++v) {
     SparseFunction& f = functions_[v];
     if (hanging[v]) f = {};  // from now on it is the mean of its parents, for its children too
@@ -292,7 +260,7 @@ Field DirectPhase::surpluses() {
       }
       for (size_t k = 0; k < order; ++k) row[f.cells[i] * order + k] = f.values[i * order + k] - mean[k];
     }
-    append_row(grid_, row, active, tolerance_of(v), &field);
+    append_row(grid_, row, active, tolerance_of(builder_, v, options_.tolerance), &field);
   }
   functions_ = {};
   split_cells_ = {};

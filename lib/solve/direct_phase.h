@@ -57,9 +57,6 @@ class DirectPhase {
   };
   // At a vertex and nodes of the grid.
   std::vector<Rgb> irradiance(uint32_t vertex, const std::vector<uint32_t>& nodes, uint64_t* rays) const;
-  void evaluate_uniform();
-  float tolerance_of(uint32_t vertex) const;
-  std::vector<Rgb> uniform_irradiance(uint32_t element, uint32_t first, uint32_t count) const;
   void evaluate(const std::vector<uint32_t>& vertices, const std::vector<std::vector<uint32_t>>& cells);
   std::vector<Work> split(const std::vector<Work>& level);
   std::vector<uint32_t> worthwhile_cells(const Work& work) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/rng.h"
 
@@ -16,7 +17,7 @@ constexpr float kFree = 0.95f;  // a view as open as this is not blocked
 }  // namespace
 
 FinalGather::FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid,
-                         const SweptBounds& swept, const LightFunctions& radiance, Rays rays)
+                         const SweptBounds& swept, const LightFunctions& radiance, int rays)
     : tree_(tree), tracer_(tracer), grid_(grid), swept_(swept), radiance_(radiance), rays_(rays) {
   const size_t bodies = tree.scene().bodies.size();
   for (size_t b = 0; b < bodies; ++b) {
@@ -136,12 +137,13 @@ GatheredFunction FinalGather::in_motion(const Receiver& receiver, uint64_t* rays
   // Two sets of rays are blended at each date, so half of the rays in each give the same noise.
   const int ray_count = std::max(1, receiver.rays / 2);
   const float share = 1.0f / static_cast<float>(ray_count);
+  std::vector<std::pair<Vec3, Vec3>> rest_rays;  // the same at all dates
+  for (int r = 0; r < ray_count; ++r) rest_rays.emplace_back(origin(receiver, r), direction(receiver, r));
   const auto look = [&](const std::vector<Pose>& poses) {
     const Pose& pose = poses[receiver.body];
     std::vector<uint32_t> seen;
-    for (int r = 0; r < ray_count; ++r)
-      seen.push_back(
-          light_of(tracer_.closest(poses, pose * origin(receiver, r), rotate(pose, direction(receiver, r)))));
+    for (const auto& [from, towards] : rest_rays)
+      seen.push_back(light_of(tracer_.closest(poses, pose * from, rotate(pose, towards))));
     *rays += static_cast<uint64_t>(ray_count);
     std::sort(seen.begin(), seen.end());
     return seen;
@@ -176,43 +178,35 @@ GatheredFunction FinalGather::in_motion(const Receiver& receiver, uint64_t* rays
   return sum;
 }
 
+FinalGather::Receiver FinalGather::receiver_on(uint32_t face, Vec3 position, uint64_t seed) const {
+  const MeshBuilder& builder = tree_.builder();
+  Receiver receiver;
+  receiver.position = position;
+  receiver.normal = tree_.face_normal(face);
+  receiver.body = body_of(tree_.scene(), tree_.scene().polygons[builder.mesh().faces[face].polygon]);
+  receiver.seed = seed;
+  receiver.rays = static_cast<int>(builder.prominence(face) * rays_);
+  return receiver;
+}
+
 FinalGather::Receiver FinalGather::receiver_of_vertex(uint32_t vertex) const {
   const MeshBuilder& builder = tree_.builder();
-  const uint32_t f = builder.face_of_vertex(vertex);
-  const Face& face = builder.mesh().faces[f];
-  if (is_uniform(builder.mesh().elements[face.element])) return receiver_of_face(f);
-  Receiver receiver;
-  receiver.position = builder.sample_point(vertex);
-  receiver.normal = tree_.face_normal(f);
-  receiver.body = body_of(tree_.scene(), tree_.scene().polygons[face.polygon]);
-  receiver.seed = hash_of(vertex);
-  receiver.rays = std::max(rays_.uniform, static_cast<int>(builder.prominence(f) * rays_.vertex));
-  return receiver;
+  const uint32_t face = builder.face_of_vertex(vertex);
+  if (is_uniform(builder.mesh().elements[builder.mesh().faces[face].element])) return receiver_of_face(face);
+  return receiver_on(face, builder.sample_point(vertex), hash_of(vertex));
 }
 
 FinalGather::Receiver FinalGather::receiver_of_patch(const Node& n) const {
-  Receiver receiver;
-  receiver.position = n.centre;
-  receiver.normal = n.normal;
-  receiver.body = n.body;
-  receiver.seed = hash_of(n.element, 1);
+  Receiver receiver = receiver_on(n.face, n.centre, hash_of(n.element, 1));
   receiver.spread = true;
   receiver.patch = patch_points(tree_, n);
-  receiver.rays = is_uniform(tree_.builder().mesh().elements[n.element]) ? rays_.uniform : rays_.vertex;
   return receiver;
 }
 
-FinalGather::Receiver FinalGather::receiver_of_face(uint32_t f) const {
-  const Face& face = tree_.builder().mesh().faces[f];
-  Receiver receiver;
-  receiver.patch = face_points(tree_.scene(), face);
-  for (int i = 0; i < receiver.patch.corner_count; ++i)
-    receiver.position += receiver.patch.corners[i] / receiver.patch.corner_count;
-  receiver.normal = tree_.face_normal(f);
-  receiver.body = body_of(tree_.scene(), tree_.scene().polygons[face.polygon]);
-  receiver.seed = hash_of(f, 2);
+FinalGather::Receiver FinalGather::receiver_of_face(uint32_t face) const {
+  Receiver receiver = receiver_on(face, {}, hash_of(face, 2));
   receiver.spread = true;
-  receiver.rays = rays_.uniform;
+  receiver.patch = face_points(tree_.scene(), tree_.builder().mesh().faces[face]);
   return receiver;
 }
 
@@ -255,10 +249,10 @@ FinalGather::View FinalGather::view_of(const Receiver& receiver) const {
 
 FinalGather::View FinalGather::view_of(uint32_t n, uint64_t* rays) const {
   const Node& node = tree_.nodes()[n];
-  *rays += static_cast<uint64_t>(rays_.vertex);
+  *rays += static_cast<uint64_t>(rays_);
   if (!node.is_cluster()) {
     Receiver receiver = receiver_of_patch(node);
-    receiver.rays = rays_.vertex;
+    receiver.rays = rays_;
     return view_of(receiver);
   }
   View mean{0, 0};
@@ -269,7 +263,7 @@ FinalGather::View FinalGather::view_of(uint32_t n, uint64_t* rays) const {
     receiver.normal = sample.normal;
     receiver.body = node.body;
     receiver.seed = hash_of(n, 4, static_cast<uint64_t>(s));
-    receiver.rays = std::max(1, rays_.vertex / Cluster::kSamples);
+    receiver.rays = std::max(1, rays_ / Cluster::kSamples);
     const View view = view_of(receiver);
     mean.lit += view.lit / Cluster::kSamples;
     mean.dead += view.dead / Cluster::kSamples;

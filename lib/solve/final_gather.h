@@ -27,13 +27,10 @@ struct GatheredFunction {
 
 class FinalGather {
  public:
-  // Rays that a vertex or patch sends, and those that a uniform face does.
-  struct Rays {
-    int vertex, uniform;
-  };
-  // `radiance`: [light] without emission (see NodeTree::light_at). Keeps references.
+  // `radiance`: [light] without emission (see NodeTree::light_at). `rays`: of a vertex or light of a large
+  // face; small ones get fewer, by their prominence. Keeps references.
   FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
-              const LightFunctions& radiance, Rays rays);
+              const LightFunctions& radiance, int rays);
 
   // At a vertex, or over the uniform face that it stands for.
   GatheredFunction at_vertex(uint32_t vertex, uint64_t* rays) const;
@@ -57,6 +54,7 @@ class FinalGather {
     PatchPoints patch{};
     int rays = 0;
   };
+  Receiver receiver_on(uint32_t face, Vec3 position, uint64_t seed) const;
   Receiver receiver_of_vertex(uint32_t vertex) const;
   Receiver receiver_of_patch(const Node& node) const;
   Receiver receiver_of_face(uint32_t face) const;
@@ -75,7 +73,7 @@ class FinalGather {
   const TimeGrid& grid_;
   const SweptBounds& swept_;
   const LightFunctions& radiance_;
-  Rays rays_;
+  int rays_;
   std::vector<bool> still_mask_, moving_mask_;
 };
 

@@ -7,12 +7,10 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "solve/uniform_rows.h"
 
 namespace strad {
 namespace {
-
-// Faces whose functions are held in full at once, before they are compressed.
-constexpr uint32_t kChunk = 512;
 
 int parent_count(const MeshVertex& vertex) {
   return vertex.parents[0] == kNone ? 0 : vertex.parents[2] == kNone ? 2 : 4;
@@ -41,7 +39,6 @@ void IndirectPhase::evaluate(const std::vector<uint32_t>& vertices) {
     }
   });
   rays_ += std::accumulate(rays.begin(), rays.end(), uint64_t{0});
-  evaluated_ += fresh.size();
 }
 
 std::vector<Rgb> IndirectPhase::parents_mean(uint32_t vertex) const {
@@ -112,35 +109,11 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
   return false;
 }
 
-// One function a uniform face, compressed at once: there may be a million of them.
-void IndirectPhase::evaluate_uniform() {
-  uniform_.order = grid_.order;
-  uniform_.expect_rows(2 * builder_.mesh().vertices.size());  // the others will follow
-  const uint32_t uniform = builder_.uniform_count();
-  for (uint32_t first = 0; first < uniform; first += kChunk) {
-    const uint32_t count = std::min(kChunk, uniform - first);
-    std::vector<std::vector<Rgb>> rows(count);
-    std::vector<uint64_t> rays(count, 0);
-    parallel_for(count, 4, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i)
-        rows[i] = gather_.at_vertex(first + static_cast<uint32_t>(i), &rays[i]).irradiance;
-    });
-    for (uint32_t i = 0; i < count; ++i) {
-      append_row(grid_, rows[i], {}, tolerance_of(first + i), &uniform_);
-      rays_ += rays[i];
-    }
-  }
-  evaluated_ += uniform;
-}
-
-float IndirectPhase::tolerance_of(uint32_t vertex) const {
-  return options_.tolerance /
-         std::max(0.2f, static_cast<float>(builder_.prominence(builder_.face_of_vertex(vertex))));
-}
-
 void IndirectPhase::run() {
   const Mesh& mesh = builder_.mesh();
-  evaluate_uniform();
+  uniform_ = rows_of_uniform_faces(
+      grid_, builder_, options_.tolerance,
+      [&](uint32_t vertex, uint64_t* rays) { return gather_.at_vertex(vertex, rays).irradiance; }, &rays_);
   malloc_trim(0);  // their rays and rows were many small things
   std::vector<uint32_t> level, vertices;
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -257,7 +230,7 @@ Field IndirectPhase::surpluses() {
       const std::vector<Rgb> mean = parents_mean(v);
       for (size_t i = 0; i < row.size(); ++i) row[i] = row[i] - mean[i];
     }
-    append_row(grid_, row, {}, tolerance_of(v), &field);
+    append_row(grid_, row, {}, tolerance_of(builder_, v, options_.tolerance), &field);
   }
   return field;
 }

@@ -32,7 +32,6 @@ class IndirectPhase {
   Field surpluses();
 
   uint64_t rays() const { return rays_; }
-  uint64_t evaluated() const { return evaluated_; }
 
  private:
   // What FinalGather found, at half the memory.
@@ -40,8 +39,6 @@ class IndirectPhase {
     TightFunction irradiance;  // W / m^2, at every node of the grid; empty where none was wanted
     std::vector<float> open;   // as in GatheredFunction
   };
-  void evaluate_uniform();
-  float tolerance_of(uint32_t vertex) const;
   void evaluate(const std::vector<uint32_t>& vertices);
   bool worth_splitting(uint32_t element) const;
   bool is_partly_buried(uint32_t element) const;
@@ -61,7 +58,7 @@ class IndirectPhase {
   std::vector<VertexFunction> functions_;  // a vertex; empty where none was wanted
   std::vector<uint32_t> visited_;          // elements whose corners have functions
   Field uniform_;                          // of the vertices of uniform faces
-  uint64_t rays_ = 0, evaluated_ = 0;
+  uint64_t rays_ = 0;
 };
 
 }  // namespace strad

@@ -94,7 +94,7 @@ void MeshBuilder::add_faces(const std::vector<bool>& reached, double uniform_bel
   for (uint32_t s = 0; s < sides; ++s)
     if (reached[s] && is_small(scene_.polygons[s / 2]))
       for (int c = 0; c < scene_.polygons[s / 2].corner_count(); ++c) ++users[corner_key(s / 2, s % 2, c)];
-  const auto is_uniform = [&](uint32_t s) {
+  const auto takes_fewer = [&](uint32_t s) {
     const Polygon& p = scene_.polygons[s / 2];
     if (!is_small(p)) return false;
     double shared = 0;  // vertices that the polygon would need, its corners shared
@@ -104,7 +104,7 @@ void MeshBuilder::add_faces(const std::vector<bool>& reached, double uniform_bel
   std::vector<uint32_t> others;
   for (uint32_t s = 0; s < sides; ++s) {
     if (!reached[s]) continue;
-    if (is_uniform(s))
+    if (takes_fewer(s))
       add_face(s / 2, s % 2, true);
     else
       others.push_back(s);
@@ -114,7 +114,7 @@ void MeshBuilder::add_faces(const std::vector<bool>& reached, double uniform_bel
 }
 
 double MeshBuilder::prominence(uint32_t face) const {
-  return std::clamp(longest_edge(scene_, scene_.polygons[mesh_.faces[face].polygon]) / large_, 1.0 / 6, 1.0);
+  return std::clamp(longest_edge(scene_, scene_.polygons[mesh_.faces[face].polygon]) / large_, 0.2, 1.0);
 }
 
 MeshBuilder::CornerKey MeshBuilder::corner_key(uint32_t polygon, uint32_t side, int corner) const {

@@ -24,7 +24,7 @@ class MeshBuilder {
   // Vertices below this are those of uniform faces, in the order of these faces, which come before all
   // others.
   uint32_t uniform_count() const { return uniform_count_; }
-  // How much of an error a face shows, by its longest edge: 1/6 (small ones, which may be less exact) to 1.
+  // How much of an error a face shows, by its longest edge: 1/5 (small ones, which may be less exact) to 1.
   double prominence(uint32_t face) const;
   // Makes the four children of a leaf; their new vertices go to the end of the list.
   void split(uint32_t element);

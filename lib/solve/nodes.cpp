@@ -99,13 +99,12 @@ uint32_t NodeTree::add_cluster(uint32_t first_face, uint32_t face_count, uint32_
     const uint32_t f = cluster_faces_[i];
     const Face& face = builder_.mesh().faces[f];
     const Box box = box_of(scene_, face);
-    cluster.box.add(box.lower);
-    cluster.box.add(box.upper);
+    cluster.box.add(box);
     const double a = std::max(face_area(f), 1e-12);
     const LobeWeights w = lobes_of_normal(face_normal(f));
     for (int l = 0; l < 3; ++l) lobe_area[w.lobe[l]] += a * w.weight[l];
     area += a;
-    node.centre += (0.5 * a) * (box.lower + box.upper);
+    node.centre += a * box.centre();
     const Polygon& polygon = scene_.polygons[face.polygon];
     node.body = body_of(scene_, polygon);
     node.reflectance += static_cast<float>(a) * scene_.materials[polygon.material].reflectance;
@@ -155,13 +154,13 @@ void NodeTree::split(uint32_t node) {
 void NodeTree::split_cluster(uint32_t n) {
   const Cluster cluster = clusters_[nodes_[n].cluster];
   const auto begin = cluster_faces_.begin() + cluster.first_face;
-  const Vec3 centre = 0.5 * (cluster.box.lower + cluster.box.upper);
+  const Vec3 centre = cluster.box.centre();
   const double octant_size = 0.5 * largest_extent(cluster.box);
   std::array<std::vector<uint32_t>, 9> groups;  // 0: faces of their own
   for (uint32_t i = 0; i < cluster.face_count; ++i) {
     const uint32_t face = begin[i];
     const Box box = box_of(scene_, builder_.mesh().faces[face]);
-    const Vec3 at = 0.5 * (box.lower + box.upper) - centre;
+    const Vec3 at = box.centre() - centre;
     const int octant = (at.x > 0 ? 1 : 0) + (at.y > 0 ? 2 : 0) + (at.z > 0 ? 4 : 0);
     const bool own = cluster.face_count <= kFlat || largest_extent(box) > octant_size;
     groups[own ? 0 : 1 + octant].push_back(face);

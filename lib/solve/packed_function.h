@@ -33,11 +33,6 @@ class PackedFunction {
     return {unit_ * static_cast<float>(c[0]), unit_ * static_cast<float>(c[1]),
             unit_ * static_cast<float>(c[2])};
   }
-  std::vector<Rgb> unpacked() const {
-    std::vector<Rgb> values(size());
-    for (size_t i = 0; i < values.size(); ++i) values[i] = (*this)[i];
-    return values;
-  }
 
  private:
   float unit_ = 0;

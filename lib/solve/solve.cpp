@@ -21,12 +21,9 @@
 namespace strad {
 namespace {
 
-// At the default error the noise of a vertex is below 1 %, of a small face 3 %, fixed in time; who tolerates
+// Of a vertex: at the default error its noise is below 1 %, of a small face 3 %, fixed in time; who tolerates
 // more gets fewer rays, down to half.
-FinalGather::Rays rays_for(double error) {
-  const double share = std::clamp(std::sqrt(0.02 / error), 0.5, 1.0);
-  return {static_cast<int>(512 * share), static_cast<int>(128 * share)};
-}
+int rays_for(double error) { return static_cast<int>(512 * std::clamp(std::sqrt(0.02 / error), 0.5, 1.0)); }
 
 // Nodes of the grid for the whole animation: one for every 3.2 frames, at least 24.
 int sample_count(const Scene& scene, double begin, double end) {

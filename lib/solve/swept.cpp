@@ -13,19 +13,6 @@ double distance_to_box(const Box& box, Vec3 p) {
   return length(d);
 }
 
-// Does the segment from `from` to from + reach * direction meet the box? (Kay & Kajiya 1986)
-bool meets(const Box& box, Vec3 from, Vec3 direction, double reach) {
-  double low = 0, high = reach;
-  for (int i = 0; i < 3; ++i) {
-    const double inverse = 1 / direction[i];
-    double a = (box.lower[i] - from[i]) * inverse, b = (box.upper[i] - from[i]) * inverse;
-    if (a > b) std::swap(a, b);
-    if (a > low) low = a;
-    if (b < high) high = b;
-  }
-  return low <= high;
-}
-
 }  // namespace
 
 SweptBounds::SweptBounds(const Scene& scene, const Tracer& tracer, const TimeGrid& grid)
@@ -61,10 +48,7 @@ SweptBounds::SweptBounds(const Scene& scene, const Tracer& tracer, const TimeGri
       boxes[c] = {boxes[c].lower - margin, boxes[c].upper + margin};
     }
     all_time_boxes_.emplace_back();
-    for (const Box& box : boxes) {
-      all_time_boxes_.back().add(box.lower);
-      all_time_boxes_.back().add(box.upper);
-    }
+    for (const Box& box : boxes) all_time_boxes_.back().add(box);
     boxes_.push_back(std::move(boxes));
   }
 }
@@ -85,12 +69,12 @@ Box SweptBounds::box(uint32_t body, Interval interval) const {
 
 bool SweptBounds::may_meet(Vec3 from, Vec3 direction, double reach) const {
   return std::any_of(all_time_boxes_.begin(), all_time_boxes_.end(),
-                     [&](const Box& box) { return meets(box, from, direction, reach); });
+                     [&](const Box& box) { return box.meets(from, direction, reach); });
 }
 
 bool SweptBounds::may_meet_in(uint32_t cell, Vec3 from, Vec3 direction, double reach) const {
   for (size_t i = 0; i < boxes_.size(); ++i)
-    if (meets(boxes_[i][cell], from, direction, reach)) return true;
+    if (boxes_[i][cell].meets(from, direction, reach)) return true;
   return false;
 }
 

@@ -15,10 +15,7 @@ class SweptBounds {
   SweptBounds(const Scene& scene, const Tracer& tracer, const TimeGrid& grid);
 
   bool moves(uint32_t body) const { return moving_[body]; }
-  const std::vector<uint32_t>& moving_bodies() const { return moving_list_; }
 
-  // World box of the i-th of moving_bodies() during a cell.
-  const Box& cell_box(size_t i, uint32_t cell) const { return boxes_[i][cell]; }
   // World box of a moving body with surfaces over an interval.
   Box box(uint32_t body, Interval interval) const;
 

@@ -82,16 +82,15 @@ void expect_kept(double red_and_green, double blue) {
   values[45] = {};
   const Function packed(values);
   ASSERT_EQ(packed.size(), values.size());
-  const std::vector<Rgb> unpacked = packed.unpacked();
   for (size_t i = 0; i < values.size(); ++i) {
     EXPECT_NEAR(packed[i].r, values[i].r, 40 * red_and_green);
     EXPECT_NEAR(packed[i].g, values[i].g, 40 * red_and_green);
     EXPECT_NEAR(packed[i].b, values[i].b, 40 * blue);
-    EXPECT_EQ(unpacked[i], packed[i]);
   }
   EXPECT_EQ(packed[45], Rgb{});
   EXPECT_FLOAT_EQ(packed[123].b, 40);
 }
+
 TEST(PackedFunction, KeepsSixteenBits) { expect_kept<PackedFunction>(0.51 / 65535, 0.51 / 65535); }
 TEST(TightFunction, KeepsElevenElevenAndTenBits) { expect_kept<TightFunction>(0.51 / 2047, 0.51 / 1023); }
 

@@ -216,7 +216,7 @@ TEST(UniformFaces, ProminenceGrowsWithSize) {
   MeshBuilder builder(scene);
   for (uint32_t p = 0; p < 3; ++p) builder.face(p, 0);
   EXPECT_EQ(builder.prominence(0), 1);
-  EXPECT_NEAR(builder.prominence(1), 1.0 / 6, 1e-12);
+  EXPECT_NEAR(builder.prominence(1), 0.2, 1e-12);
   EXPECT_NEAR(builder.prominence(2), 12.0 / 20, 1e-9);
 }
 
