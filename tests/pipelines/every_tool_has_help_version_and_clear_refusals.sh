@@ -4,7 +4,7 @@ trap 'rm -rf "$PWD"' EXIT
 
 for source in "$STRAD_SOURCE_DIR"/tools/strad-*.cpp; do
   tool=$(basename "$source" .cpp)
-  "$tool" --help | grep -q -- --version
+  "$tool" --help | grep -e --version >/dev/null
   [[ $("$tool" --version) =~ ^$tool\ [0-9]+\.[0-9]+\.[0-9]+$ ]]
   for arguments in --no-such-option 'missing.strad missing.strad'; do
     status=0

@@ -8,7 +8,7 @@ count=0
 for obj in */*.obj; do
   scene=${obj%.obj}
   strad-import "$obj" | strad-motion "$scene.motion" >scene.strad
-  strad-info scene.strad | sed -n '/cameras:/,$p' | grep -q 'name main' || { echo "$scene: no camera main"; exit 1; }
+  strad-info scene.strad | sed -n '/cameras:/,$p' | grep 'name main' >/dev/null || { echo "$scene: no camera main"; exit 1; }
   count=$((count + 1))
 done
 [ $count -ge 10 ] || { echo "only $count scenes"; exit 1; }
