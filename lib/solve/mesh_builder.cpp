@@ -5,11 +5,14 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/disjoint_sets.h"
 #include "base/rng.h"
 
 namespace strad {
 namespace {
 
+// A flat of small faces with more corners a face than this holds one value a face: it is not much of a flat.
+constexpr double kCornersAFace = 1.25;
 constexpr double kLargeFace = 1.0 / 12;  // of the scene's diagonal
 
 uint64_t edge_key(uint32_t a, uint32_t b) {
@@ -88,18 +91,33 @@ uint32_t MeshBuilder::add_face(uint32_t polygon, uint32_t side, bool uniform) {
 }
 
 void MeshBuilder::add_faces(const std::vector<bool>& reached, double uniform_below) {
-  const auto is_small = [&](const Polygon& p) { return longest_edge(scene_, p) < uniform_below; };
-  std::unordered_map<CornerKey, uint32_t, CornerHash> users;  // looked up only, never iterated
   const auto sides = static_cast<uint32_t>(reached.size());
-  for (uint32_t s = 0; s < sides; ++s)
-    if (reached[s] && is_small(scene_.polygons[s / 2]))
-      for (int c = 0; c < scene_.polygons[s / 2].corner_count(); ++c) ++users[corner_key(s / 2, s % 2, c)];
+  const auto is_small = [&](uint32_t side) {
+    return reached[side] && longest_edge(scene_, scene_.polygons[side / 2]) < uniform_below;
+  };
+  // Small sides that share corners in one plane are judged together, or the rim of a flat would differ.
+  std::unordered_map<CornerKey, uint32_t, CornerHash> first_user;  // looked up only, never iterated
+  DisjointSets flats(sides);
+  std::vector<uint32_t> new_corners(sides, 0);
+  for (uint32_t s = 0; s < sides; ++s) {
+    if (!is_small(s)) continue;
+    for (int c = 0; c < scene_.polygons[s / 2].corner_count(); ++c) {
+      const auto [it, added] = first_user.try_emplace(corner_key(s / 2, s % 2, c), s);
+      if (added)
+        ++new_corners[s];
+      else
+        flats.join(s, it->second);
+    }
+  }
+  std::vector<uint32_t> polygons(sides, 0), corners(sides, 0);  // of a flat, by its lowest side
+  for (uint32_t s = 0; s < sides; ++s) {
+    if (!is_small(s)) continue;
+    ++polygons[flats.find(s)];
+    corners[flats.find(s)] += new_corners[s];
+  }
   const auto takes_fewer = [&](uint32_t s) {
-    const Polygon& p = scene_.polygons[s / 2];
-    if (!is_small(p)) return false;
-    double shared = 0;  // vertices that the polygon would need, its corners shared
-    for (int c = 0; c < p.corner_count(); ++c) shared += 1.0 / users[corner_key(s / 2, s % 2, c)];
-    return shared > 1;
+    const uint32_t flat = flats.find(s);
+    return is_small(s) && corners[flat] > kCornersAFace * polygons[flat];
   };
   std::vector<uint32_t> others;
   for (uint32_t s = 0; s < sides; ++s) {

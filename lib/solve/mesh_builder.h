@@ -19,7 +19,7 @@ class MeshBuilder {
   // The face of that side of a polygon; made with a single element when it is first asked for.
   uint32_t face(uint32_t polygon, uint32_t side);
   // Makes the faces of all sides with reached[2 * polygon + side]. Those smaller than `uniform_below` (m)
-  // become uniform where that takes fewer vertices than sharing corners with neighbours in their plane.
+  // become uniform, but for fine flats, whose faces share most corners with neighbours in their plane.
   void add_faces(const std::vector<bool>& reached, double uniform_below);
   // Vertices below this are those of uniform faces, in the order of these faces, which come before all
   // others.

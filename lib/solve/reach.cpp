@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <tuple>
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/rng.h"
 #include "light/direct.h"
@@ -25,8 +25,7 @@ constexpr double kDarkShare = 0.01, kEnough = 20;
 // Connected surfaces: the sides of polygons, joined across the edges they share.
 class Surfaces {
  public:
-  explicit Surfaces(const Scene& scene) : parent_(2 * scene.polygons.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
+  explicit Surfaces(const Scene& scene) : sets_(2 * scene.polygons.size()) {
     const auto order = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
     std::vector<Edge> edges;
     for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
@@ -54,9 +53,9 @@ class Surfaces {
                      edges.begin() + static_cast<std::ptrdiff_t>(end)});
       i = end;
     }
-    volume_.assign(parent_.size(), 0.0);
-    open_.assign(parent_.size(), false);
-    for (uint32_t side = 0; side < parent_.size(); ++side) {
+    volume_.assign(sets_.size(), 0.0);
+    open_.assign(sets_.size(), false);
+    for (uint32_t side = 0; side < sets_.size(); ++side) {
       const Polygon& polygon = scene.polygons[side / 2];
       if (open[side / 2]) open_[find(side)] = true;
       const auto at = [&](int i) { return scene.vertices[polygon.corners[i]]; };
@@ -69,16 +68,9 @@ class Surfaces {
     const uint32_t surface = find(side);
     return !open_[surface] && volume_[surface] < 0;
   }
-  uint32_t find(uint32_t side) {
-    while (parent_[side] != side) side = parent_[side] = parent_[parent_[side]];
-    return side;
-  }
+  uint32_t find(uint32_t side) { return sets_.find(side); }
 
  private:
-  void join(uint32_t a, uint32_t b) {
-    a = find(a), b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
   struct Edge {
     Vec3 low, high;
     uint32_t polygon;
@@ -106,10 +98,10 @@ class Surfaces {
       return std::tie(a.angle, a.polygon) < std::tie(b.angle, b.polygon);
     });
     for (size_t i = 0; i < leaves.size(); ++i)
-      join(leaves[i].ahead, leaves[(i + 1) % leaves.size()].ahead ^ 1u);
+      sets_.join(leaves[i].ahead, leaves[(i + 1) % leaves.size()].ahead ^ 1u);
   }
 
-  std::vector<uint32_t> parent_;
+  DisjointSets sets_;
   std::vector<double> volume_;  // six times that which the surface bounds, negative seen from within
   std::vector<bool> open_;
 };
