@@ -5,8 +5,9 @@ namespace strad {
 FrameLight::FrameLight(const Slab& slab, const Reconstruction& reconstruction, double begin, double end,
                        const FrameLightOptions& options)
     : mesh_(slab.mesh), reconstruction_(reconstruction), flat_(options.flat) {
-  VertexLight light =
-      end > begin ? light_over(slab, begin, end, !options.flat) : light_at(slab, begin, !options.flat);
+  const LightParts parts = options.with_direct ? LightParts::kAll : LightParts::kIndirect;
+  VertexLight light = end > begin ? light_over(slab, begin, end, !options.flat, parts)
+                                  : light_at(slab, begin, !options.flat, parts);
   vertex_irradiance_ = std::move(light.indirect);
   if (!options.with_direct) return;
   for (size_t v = 0; v < vertex_irradiance_.size(); ++v) vertex_irradiance_[v] += light.direct[v];

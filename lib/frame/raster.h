@@ -25,6 +25,11 @@ struct RasterOptions {
   bool flat = false;  // elements and intervals of the solution as they are
 };
 
+// What a frame needs of a solution.
+inline LightParts parts_for(const RasterOptions& options) {
+  return options.direct == DirectFrom::kMesh ? LightParts::kAll : LightParts::kIndirect;
+}
+
 class Raster {
  public:
   explicit Raster(const Scene& scene);  // keeps a reference
@@ -32,8 +37,9 @@ class Raster {
   Raster(const Raster&) = delete;
   Raster& operator=(const Raster&) = delete;
 
-  // Radiance, linear. REQUIRES: `slab` holds `time`, with its pieces to the end of the shutter or of the
-  // slab. The picture is the same for any number of threads and whatever was rendered before.
+  // Radiance, linear. REQUIRES: `slab` holds `time`, with the pieces of parts_for(options) to the end of the
+  // shutter or of the slab. The picture is the same for any number of threads and whatever was rendered
+  // before.
   Image render(const Slab& slab, const Camera& camera, double time, const RasterOptions& options);
 
  private:

@@ -10,6 +10,7 @@ uint64_t edge_key(uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 3
 }  // namespace
 
 Reconstruction::Reconstruction(const Mesh& mesh) : mesh_(mesh) {
+  middles_.reserve(mesh.vertices.size());
   for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
     const uint32_t* parents = mesh.vertices[v].parents;
     if (parents[1] != kNone && parents[2] == kNone) middles_.emplace(edge_key(parents[0], parents[1]), v);
@@ -18,7 +19,7 @@ Reconstruction::Reconstruction(const Mesh& mesh) : mesh_(mesh) {
   hanging_.assign(mesh.elements.size(), false);
   for (size_t e = 0; e < mesh.elements.size(); ++e) {
     const Element& element = mesh.elements[e];
-    if (element.first_child != kNone) continue;
+    if (element.first_child != kNone || is_uniform(element)) continue;
     const int count = element.corner_count();
     for (int k = 0; k < count; ++k) {
       const uint32_t middle = middle_of(element.vertices[k], element.vertices[(k + 1) % count]);

@@ -1,5 +1,7 @@
 #include "frame/shading.h"
 
+#include <algorithm>
+
 #include "frame/texture.h"
 
 namespace strad {
@@ -21,12 +23,20 @@ bool continues(const SurfacePoint& a, const SurfacePoint& b) {
 
 }  // namespace
 
+Sight look(const FrameView& view, size_t instant, double x, double y) {
+  const CameraRays& camera = view.cameras[instant];
+  return view.surfaces.look(view.instants[instant].instant, camera.from(), camera.direction(x, y));
+}
+
 Sample take_sample(const FrameView& view, size_t instant, double x, double y, ShadowPoints points,
                    AreaShare* shares) {
+  return shade(view, instant, look(view, instant, x, y), points, shares);
+}
+
+Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPoints points,
+             AreaShare* shares) {
   std::fill(shares, shares + view.area_light_count, AreaShare{});
   const LitInstant& lit = view.instants[instant];
-  const CameraRays& camera = view.cameras[instant];
-  const Sight sight = view.surfaces.look(lit.instant, camera.from(), camera.direction(x, y));
   Sample sample;
   sample.point = sight.point;
   sample.front = sight.front;
@@ -79,6 +89,12 @@ bool on_one_surface(const FrameView& view, const Sample& a, const Sample& b) {
 bool alike(const FrameView& view, const Sample& a, const Sample& b) {
   if (a.point.polygon == kNone && b.point.polygon == kNone) return true;
   return on_one_surface(view, a, b) && a.leaf == b.leaf && a.spots == b.spots;
+}
+
+bool evenly_lit(const FrameView& view, const AreaShare* shares) {
+  return std::all_of(shares, shares + view.area_light_count, [](const AreaShare& share) {
+    return share.shadow.free == 0 || share.shadow.free == share.shadow.rays;
+  });
 }
 
 bool textured(const FrameView& view, const Sample& sample) {

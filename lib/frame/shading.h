@@ -43,8 +43,14 @@ struct ShadowPoints {
   uint32_t first = 0, count = 0;
 };
 
-// A sample through (x, y), pixels, at an instant. `shares`: area_light_count of them, filled here with the
-// shadow rays to `points`.
+// What is seen through (x, y), pixels, at an instant.
+Sight look(const FrameView& view, size_t instant, double x, double y);
+
+// Its light. `shares`: area_light_count of them, filled here with the shadow rays to `points`.
+Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPoints points,
+             AreaShare* shares);
+
+// Both: a sample through (x, y).
 Sample take_sample(const FrameView& view, size_t instant, double x, double y, ShadowPoints points,
                    AreaShare* shares);
 
@@ -63,5 +69,8 @@ bool alike(const FrameView& view, const Sample& a, const Sample& b);
 
 // Does its reflectance come from a texture?
 bool textured(const FrameView& view, const Sample& sample);
+
+// Is each area light seen by all of the shadow rays to it, or by none?
+bool evenly_lit(const FrameView& view, const AreaShare* shares);
 
 }  // namespace strad

@@ -103,7 +103,8 @@ void write_pictures(const FrameRequest& request, const Progress& progress) {
   for (size_t i = 0; i < frames.size(); ++i) {
     const auto [number, time] = frames[i];
     report(progress, i, frames.size(), number);
-    Image image = raster.render(file.slab_for(time, time + options.shutter), camera, time, options);
+    const Slab& slab = file.slab_for(time, time + options.shutter, parts_for(options));
+    Image image = raster.render(slab, camera, time, options);
     expose(&image, request.exposure);
     if (pattern) {
       save_image(pattern->name(number), image);

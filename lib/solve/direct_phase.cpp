@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/rng.h"
-#include "solve/uniform_rows.h"
+#include "solve/whole_rows.h"
 
 namespace strad {
 namespace {
@@ -178,20 +178,26 @@ std::vector<uint32_t> DirectPhase::worthwhile_cells(const Work& work) const {
 void DirectPhase::run() {
   std::vector<uint32_t> all_nodes(grid_.node_count());
   std::iota(all_nodes.begin(), all_nodes.end(), 0u);
-  uniform_ = rows_of_uniform_faces(
-      grid_, builder_, options_.tolerance,
-      [&](uint32_t vertex, uint64_t* rays) { return irradiance(vertex, all_nodes, rays); }, &rays_);
-  evaluations_ += uint64_t{builder_.uniform_count()} * grid_.node_count();
+  const Mesh& mesh = builder_.mesh();
+  const auto of_whole = [&](uint32_t face, uint64_t* rays) {
+    std::vector<std::vector<Rgb>> values;
+    const auto [first, count] = vertices_of_whole(mesh, face);
+    for (uint32_t v = first; v < first + count; ++v) values.push_back(irradiance(v, all_nodes, rays));
+    return values;
+  };
+  whole_ = rows_of_whole_faces(grid_, builder_, options_.tolerance, of_whole, &rays_);
+  evaluations_ += uint64_t{builder_.whole_vertices()} * grid_.node_count();
   std::vector<uint32_t> all_cells(grid_.cell_count());
   std::iota(all_cells.begin(), all_cells.end(), 0u);
-  const Mesh& mesh = builder_.mesh();
-  std::vector<uint32_t> corners(mesh.vertices.size() - builder_.uniform_count());
-  std::iota(corners.begin(), corners.end(), builder_.uniform_count());
+  std::vector<uint32_t> corners(mesh.vertices.size() - builder_.whole_vertices());
+  std::iota(corners.begin(), corners.end(), builder_.whole_vertices());
   evaluate(corners, std::vector<std::vector<uint32_t>>(corners.size(), all_cells));
   std::vector<Work> level;
-  for (const Face& face : mesh.faces)
-    if (longest_edge(mesh, mesh.elements[face.element]) > options_.smallest_element)
-      level.push_back({face.element, all_cells});
+  for (uint32_t f = builder_.whole_faces(); f < mesh.faces.size(); ++f) {
+    const uint32_t root = mesh.faces[f].element;
+    if (longest_edge(mesh, mesh.elements[root]) > options_.smallest_element)
+      level.push_back({root, all_cells});
+  }
   while (!level.empty()) level = split(level);
 }
 
@@ -200,13 +206,16 @@ std::vector<Rgb> DirectPhase::mean_irradiance(uint32_t element, const std::vecto
   const Mesh& mesh = builder_.mesh();
   const Element& e = mesh.elements[element];
   std::vector<Rgb> mean(cells.size() * order);
-  if (is_uniform(e)) {
+  if (builder_.face_of(element) < builder_.whole_faces()) {
+    const auto [first, count] = vertices_of_whole(mesh, builder_.face_of(element));
     for (size_t i = 0; i < cells.size();) {  // runs of adjacent cells
       size_t j = i + 1;
       while (j < cells.size() && cells[j] == cells[j - 1] + 1) ++j;
-      add_values(grid_, uniform_, e.vertices[0], cells[i], static_cast<uint32_t>(j - i), &mean[i * order]);
+      for (uint32_t v = first; v < first + count; ++v)
+        add_values(grid_, whole_, v, cells[i], static_cast<uint32_t>(j - i), &mean[i * order]);
       i = j;
     }
+    for (Rgb& value : mean) value = (1.0f / static_cast<float>(count)) * value;
     return mean;
   }
   const std::vector<uint32_t> none;
@@ -242,8 +251,8 @@ Field DirectPhase::surpluses() {
   const Mesh& mesh = builder_.mesh();
   const std::vector<bool> hanging = builder_.hanging_vertices();
   functions_.resize(mesh.vertices.size());
-  Field field = std::move(uniform_);
-  for (uint32_t v = builder_.uniform_count(); v < mesh.vertices.size(); ++v) {
+  Field field = std::move(whole_);
+  for (uint32_t v = builder_.whole_vertices(); v < mesh.vertices.size(); ++v) {
     SparseFunction& f = functions_[v];
     if (hanging[v]) f = {};  // from now on it is the mean of its parents, for its children too
     const MeshVertex& vertex = mesh.vertices[v];

@@ -71,7 +71,7 @@ class DirectPhase {
   double total_area_ = 0;
   std::vector<SparseFunction> functions_;           // a vertex
   std::vector<std::vector<uint32_t>> split_cells_;  // an element
-  Field uniform_;                                   // of the vertices of uniform faces
+  Field whole_;                                     // of the vertices of whole faces
   uint64_t evaluations_ = 0, rays_ = 0;
 };
 

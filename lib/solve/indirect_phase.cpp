@@ -7,13 +7,38 @@
 #include <numeric>
 
 #include "base/parallel.h"
-#include "solve/uniform_rows.h"
+#include "solve/whole_rows.h"
 
 namespace strad {
 namespace {
 
 int parent_count(const MeshVertex& vertex) {
   return vertex.parents[0] == kNone ? 0 : vertex.parents[2] == kNone ? 2 : 4;
+}
+
+template <typename Function>
+float open_of(const Function& function, size_t date) {
+  return function.open.empty() ? 1.0f : function.open[date];
+}
+
+// Where the view of `own` is blocked, gives it what those of `others` have that are free.
+template <typename Function>
+void fill(const std::vector<const Function*>& others, GatheredFunction* own) {
+  constexpr float kTrusted = 0.6f;  // from here on a view speaks for itself
+  for (size_t i = 0; i < own->open.size(); ++i) {
+    if (own->open[i] >= kTrusted) continue;
+    Rgb sum;
+    float weight = 0;
+    for (const Function* other : others) {
+      const float w = std::max(0.0f, open_of(*other, i) - 0.55f);
+      sum += w * other->irradiance[i];
+      weight += w;
+    }
+    if (!(weight > 0)) continue;
+    const float part = std::clamp((own->open[i] - 0.5f) / (kTrusted - 0.5f), 0.0f, 1.0f);
+    own->irradiance[i] = part * own->irradiance[i] + ((1 - part) / weight) * sum;
+    own->open[i] = kTrusted;
+  }
 }
 
 }  // namespace
@@ -70,7 +95,7 @@ bool IndirectPhase::is_partly_buried(uint32_t element) const {
     for (int v = 0; v < count; ++v) {
       if (functions_[vertices[v]].irradiance.empty()) continue;
       ++known;
-      buried += open_at(vertices[v], i) < 0.5f;
+      buried += open_of(functions_[vertices[v]], i) < 0.5f;
     }
     if (buried > 0 && buried < known) return true;
   }
@@ -96,9 +121,9 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
     const std::vector<Rgb> foretold = parents_mean(middles[m]);
     const VertexFunction& own = functions_[middles[m]];
     for (size_t i = 0; i < foretold.size(); ++i) {
-      float open = open_at(middles[m], i);
+      float open = open_of(own, i);
       for (int p = 0; p < parent_count(mesh.vertices[middles[m]]); ++p)
-        open = std::min(open, open_at(mesh.vertices[middles[m]].parents[p], i));
+        open = std::min(open, open_of(functions_[mesh.vertices[middles[m]].parents[p]], i));
       if (open < 0.5f) continue;  // buried: what is known there is not light
       const Rgb surplus = own.irradiance[i] - foretold[i];
       if (std::max({std::abs(surplus.r), std::abs(surplus.g), std::abs(surplus.b)}) * scale >
@@ -111,13 +136,12 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
 
 void IndirectPhase::run() {
   const Mesh& mesh = builder_.mesh();
-  uniform_ = rows_of_uniform_faces(
+  whole_ = rows_of_whole_faces(
       grid_, builder_, options_.tolerance,
-      [&](uint32_t vertex, uint64_t* rays) { return gather_.at_vertex(vertex, rays).irradiance; }, &rays_);
+      [&](uint32_t face, uint64_t* rays) { return of_whole_face(face, rays); }, &rays_);
   malloc_trim(0);  // their rays and rows were many small things
   std::vector<uint32_t> level, vertices;
-  for (size_t f = 0; f < mesh.faces.size(); ++f) {
-    if (is_uniform(mesh.elements[mesh.faces[f].element])) continue;
+  for (uint32_t f = builder_.whole_faces(); f < mesh.faces.size(); ++f) {
     level.push_back(mesh.faces[f].element);
     for (int c = 0; c < mesh.elements[level.back()].corner_count(); ++c)
       vertices.push_back(mesh.elements[level.back()].vertices[c]);
@@ -188,26 +212,28 @@ void IndirectPhase::fill_buried() {
 
 IndirectPhase::VertexFunction IndirectPhase::filled_from(uint32_t vertex,
                                                          const std::vector<uint32_t>& neighbours) const {
-  constexpr float kTrusted = 0.6f;  // from here on a view speaks for itself
-  std::vector<Rgb> irradiance = functions_[vertex].irradiance.unpacked();
-  std::vector<float> opens = functions_[vertex].open;
-  for (size_t i = 0; i < irradiance.size(); ++i) {
-    const float open = opens[i];
-    if (open >= kTrusted) continue;
-    Rgb sum;
-    float weight = 0;
-    for (const uint32_t n : neighbours) {
-      if (functions_[n].irradiance.empty()) continue;
-      const float w = std::max(0.0f, open_at(n, i) - 0.55f);
-      sum += w * functions_[n].irradiance[i];
-      weight += w;
-    }
-    if (!(weight > 0)) continue;
-    const float own = std::clamp((open - 0.5f) / (kTrusted - 0.5f), 0.0f, 1.0f);
-    irradiance[i] = own * irradiance[i] + ((1 - own) / weight) * sum;
-    opens[i] = kTrusted;
+  GatheredFunction own{functions_[vertex].irradiance.unpacked(), functions_[vertex].open};
+  std::vector<const VertexFunction*> others;
+  for (const uint32_t n : neighbours)
+    if (!functions_[n].irradiance.empty()) others.push_back(&functions_[n]);
+  fill(others, &own);
+  return {TightFunction(own.irradiance), std::move(own.open)};
+}
+
+// The vertices of a face that is never split fill one another.
+std::vector<std::vector<Rgb>> IndirectPhase::of_whole_face(uint32_t face, uint64_t* rays) const {
+  std::vector<GatheredFunction> found;
+  const auto [first, count] = vertices_of_whole(builder_.mesh(), face);
+  for (uint32_t v = first; v < first + count; ++v) found.push_back(gather_.at_vertex(v, rays));
+  std::vector<const GatheredFunction*> all;
+  for (const GatheredFunction& function : found) all.push_back(&function);
+  std::vector<std::vector<Rgb>> rows;
+  for (const GatheredFunction& function : found) {
+    GatheredFunction own = function;
+    fill(all, &own);
+    rows.push_back(std::move(own.irradiance));
   }
-  return {TightFunction(irradiance), std::move(opens)};
+  return rows;
 }
 
 Field IndirectPhase::surpluses() {
@@ -215,8 +241,8 @@ Field IndirectPhase::surpluses() {
   functions_.resize(mesh.vertices.size());
   fill_buried();
   const std::vector<bool> hanging = builder_.hanging_vertices();
-  Field field = std::move(uniform_);
-  for (uint32_t v = builder_.uniform_count(); v < mesh.vertices.size(); ++v) {
+  Field field = std::move(whole_);
+  for (uint32_t v = builder_.whole_vertices(); v < mesh.vertices.size(); ++v) {
     if (hanging[v]) functions_[v] = {};
     const TightFunction& own = functions_[v].irradiance;
     if (own.empty()) {

@@ -43,10 +43,8 @@ class IndirectPhase {
   bool worth_splitting(uint32_t element) const;
   bool is_partly_buried(uint32_t element) const;
   void fill_buried();
+  std::vector<std::vector<Rgb>> of_whole_face(uint32_t face, uint64_t* rays) const;
   VertexFunction filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const;
-  float open_at(uint32_t vertex, size_t date) const {
-    return functions_[vertex].open.empty() ? 1.0f : functions_[vertex].open[date];
-  }
   std::vector<Rgb> parents_mean(uint32_t vertex) const;
 
   const Scene& scene_;
@@ -57,7 +55,7 @@ class IndirectPhase {
   double total_area_ = 0;
   std::vector<VertexFunction> functions_;  // a vertex; empty where none was wanted
   std::vector<uint32_t> visited_;          // elements whose corners have functions
-  Field uniform_;                          // of the vertices of uniform faces
+  Field whole_;                            // of the vertices of whole faces
   uint64_t rays_ = 0;
 };
 

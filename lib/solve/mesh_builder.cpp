@@ -11,9 +11,10 @@
 namespace strad {
 namespace {
 
-// A flat of small faces with more corners a face than this holds one value a face: it is not much of a flat.
+// A flat of small faces with more corners a face than this is not much of a flat.
 constexpr double kCornersAFace = 1.25;
-constexpr double kLargeFace = 1.0 / 12;  // of the scene's diagonal
+const double kCosCurved = std::cos(30 * kPi / 180);  // of a bend between parts of one curved surface
+constexpr double kLargeFace = 1.0 / 12;              // of the scene's diagonal
 
 uint64_t edge_key(uint32_t a, uint32_t b) {
   return (static_cast<uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
@@ -64,36 +65,68 @@ MeshBuilder::MeshBuilder(const Scene& scene)
 
 uint32_t MeshBuilder::face(uint32_t polygon, uint32_t side) {
   const uint32_t known = mesh_.face_of_side[2 * polygon + side];
-  return known != kNone ? known : add_face(polygon, side, false);
+  return known != kNone ? known : add_face(polygon, side);
 }
 
-uint32_t MeshBuilder::add_face(uint32_t polygon, uint32_t side, bool uniform) {
+// A face whose only element has no vertices yet.
+uint32_t MeshBuilder::begin_face(uint32_t polygon, uint32_t side) {
   const auto face = static_cast<uint32_t>(mesh_.faces.size());
   mesh_.face_of_side[2 * polygon + side] = face;
-  const uint32_t root = add_element({}, face, kNone);
-  mesh_.faces.push_back({polygon, side, root});
-  const Polygon& p = scene_.polygons[polygon];
-  if (uniform) {
-    MeshVertex vertex;
-    vertex.position = scene_.vertices[p.corners[0]];
-    std::fill_n(mesh_.elements[root].vertices, p.corner_count(),
-                static_cast<uint32_t>(mesh_.vertices.size()));
-    mesh_.vertices.push_back(vertex);
-    face_of_vertex_.push_back(face);
-    sample_points_.push_back(polygon_centre(scene_, p));
-    return face;
-  }
-  for (int c = 0; c < p.corner_count(); ++c) {
+  mesh_.faces.push_back({polygon, side, add_element({}, face, kNone)});
+  return face;
+}
+
+uint32_t MeshBuilder::add_face(uint32_t polygon, uint32_t side) {
+  const uint32_t face = begin_face(polygon, side), root = mesh_.faces[face].element;
+  for (int c = 0; c < scene_.polygons[polygon].corner_count(); ++c) {
     const uint32_t vertex = corner_vertex(polygon, side, c);
     mesh_.elements[root].vertices[c] = vertex;
   }
   return face;
 }
 
-void MeshBuilder::add_faces(const std::vector<bool>& reached, double uniform_below) {
+void MeshBuilder::add_uniform_face(uint32_t polygon, uint32_t side) {
+  const uint32_t face = begin_face(polygon, side);
+  const Polygon& p = scene_.polygons[polygon];
+  const uint32_t vertex = add_corner(polygon, face, 0);
+  sample_points_[vertex] = polygon_centre(scene_, p);
+  std::fill_n(mesh_.elements[mesh_.faces[face].element].vertices, p.corner_count(), vertex);
+}
+
+void MeshBuilder::add_whole_face(uint32_t polygon, uint32_t side) {
+  const uint32_t face = begin_face(polygon, side), root = mesh_.faces[face].element;
+  for (int c = 0; c < scene_.polygons[polygon].corner_count(); ++c) {
+    const uint32_t vertex = add_corner(polygon, face, c);
+    mesh_.elements[root].vertices[c] = vertex;
+  }
+}
+
+// Polygons smaller than `small` that continue across half of their edges or more with little of a bend.
+std::vector<bool> MeshBuilder::curved_polygons(double small) const {
+  std::unordered_map<uint64_t, uint32_t> first_user;  // of an edge; looked up only, never iterated
+  std::vector<int> bends(scene_.polygons.size(), 0);
+  for (uint32_t i = 0; i < scene_.polygons.size(); ++i) {
+    const Polygon& p = scene_.polygons[i];
+    if (!(longest_edge(scene_, p) < small)) continue;
+    for (int c = 0; c < p.corner_count(); ++c) {
+      const uint32_t a = position_of_vertex_[p.corners[c]],
+                     b = position_of_vertex_[p.corners[(c + 1) % p.corner_count()]];
+      const auto [it, added] = first_user.try_emplace(edge_key(a, b), i);
+      const Polygon& q = scene_.polygons[it->second];
+      if (added || body_of(scene_, p) != body_of(scene_, q)) continue;
+      if (dot(polygon_normal(scene_, p), polygon_normal(scene_, q)) < kCosCurved) continue;
+      ++bends[i], ++bends[it->second];
+    }
+  }
+  std::vector<bool> curved(bends.size());
+  for (uint32_t i = 0; i < bends.size(); ++i) curved[i] = 2 * bends[i] >= scene_.polygons[i].corner_count();
+  return curved;
+}
+
+void MeshBuilder::add_faces(const std::vector<bool>& reached, double small) {
   const auto sides = static_cast<uint32_t>(reached.size());
   const auto is_small = [&](uint32_t side) {
-    return reached[side] && longest_edge(scene_, scene_.polygons[side / 2]) < uniform_below;
+    return reached[side] && longest_edge(scene_, scene_.polygons[side / 2]) < small;
   };
   // Small sides that share corners in one plane are judged together, or the rim of a flat would differ.
   std::unordered_map<CornerKey, uint32_t, CornerHash> first_user;  // looked up only, never iterated
@@ -115,20 +148,24 @@ void MeshBuilder::add_faces(const std::vector<bool>& reached, double uniform_bel
     ++polygons[flats.find(s)];
     corners[flats.find(s)] += new_corners[s];
   }
-  const auto takes_fewer = [&](uint32_t s) {
-    const uint32_t flat = flats.find(s);
-    return is_small(s) && corners[flat] > kCornersAFace * polygons[flat];
-  };
-  std::vector<uint32_t> others;
+  const std::vector<bool> curved = curved_polygons(small);
+  std::vector<uint32_t> uniform, whole, others;
   for (uint32_t s = 0; s < sides; ++s) {
     if (!reached[s]) continue;
-    if (takes_fewer(s))
-      add_face(s / 2, s % 2, true);
-    else
+    const uint32_t flat = flats.find(s);
+    if (!is_small(s) || corners[flat] <= kCornersAFace * polygons[flat]) {
       others.push_back(s);
+    } else if (curved[s / 2] || longest_edge(scene_, scene_.polygons[s / 2]) < small / 2) {
+      uniform.push_back(s);
+    } else {
+      whole.push_back(s);
+    }
   }
-  uniform_count_ = static_cast<uint32_t>(mesh_.vertices.size());
-  for (const uint32_t s : others) add_face(s / 2, s % 2, false);
+  for (const uint32_t s : uniform) add_uniform_face(s / 2, s % 2);
+  for (const uint32_t s : whole) add_whole_face(s / 2, s % 2);
+  whole_faces_ = static_cast<uint32_t>(mesh_.faces.size());
+  whole_vertices_ = static_cast<uint32_t>(mesh_.vertices.size());
+  for (const uint32_t s : others) add_face(s / 2, s % 2);
 }
 
 double MeshBuilder::prominence(uint32_t face) const {
@@ -149,15 +186,18 @@ MeshBuilder::CornerKey MeshBuilder::corner_key(uint32_t polygon, uint32_t side, 
 uint32_t MeshBuilder::corner_vertex(uint32_t polygon, uint32_t side, int corner) {
   const auto [it, added] =
       corners_.try_emplace(corner_key(polygon, side, corner), static_cast<uint32_t>(mesh_.vertices.size()));
-  if (added) {
-    const Polygon& p = scene_.polygons[polygon];
-    MeshVertex vertex;
-    vertex.position = scene_.vertices[p.corners[corner]];
-    mesh_.vertices.push_back(vertex);
-    face_of_vertex_.push_back(mesh_.face_of_side[2 * polygon + side]);
-    sample_points_.push_back(lerp(vertex.position, polygon_centre(scene_, p), 0.01));
-  }
+  if (added) add_corner(polygon, mesh_.face_of_side[2 * polygon + side], corner);
   return it->second;
+}
+
+uint32_t MeshBuilder::add_corner(uint32_t polygon, uint32_t face, int corner) {
+  const Polygon& p = scene_.polygons[polygon];
+  MeshVertex vertex;
+  vertex.position = scene_.vertices[p.corners[corner]];
+  mesh_.vertices.push_back(vertex);
+  face_of_vertex_.push_back(face);
+  sample_points_.push_back(lerp(vertex.position, polygon_centre(scene_, p), 0.01));
+  return static_cast<uint32_t>(mesh_.vertices.size() - 1);
 }
 
 Vec3 MeshBuilder::centre_of(uint32_t element) const {

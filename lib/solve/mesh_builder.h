@@ -18,12 +18,14 @@ class MeshBuilder {
 
   // The face of that side of a polygon; made with a single element when it is first asked for.
   uint32_t face(uint32_t polygon, uint32_t side);
-  // Makes the faces of all sides with reached[2 * polygon + side]. Those smaller than `uniform_below` (m)
-  // become uniform, but for fine flats, whose faces share most corners with neighbours in their plane.
-  void add_faces(const std::vector<bool>& reached, double uniform_below);
-  // Vertices below this are those of uniform faces, in the order of these faces, which come before all
-  // others.
-  uint32_t uniform_count() const { return uniform_count_; }
+  // Makes the faces of all sides with reached[2 * polygon + side]. Those smaller than `small` (m) are whole,
+  // never to be split: uniform where they are parts of curved surfaces or smaller than half of that, with
+  // vertices of their own at their corners otherwise. Fine flats, whose faces share most corners with
+  // neighbours in their plane, are as large faces.
+  void add_faces(const std::vector<bool>& reached, double small);
+  // Faces below this are whole, and vertices below that are theirs, in the same order.
+  uint32_t whole_faces() const { return whole_faces_; }
+  uint32_t whole_vertices() const { return whole_vertices_; }
   // How much of an error a face shows, by its longest edge: 1/5 (small ones, which may be less exact) to 1.
   double prominence(uint32_t face) const;
   // Makes the four children of a leaf; their new vertices go to the end of the list.
@@ -57,8 +59,13 @@ class MeshBuilder {
     size_t operator()(const CornerKey& key) const;
   };
   CornerKey corner_key(uint32_t polygon, uint32_t side, int corner) const;
-  uint32_t add_face(uint32_t polygon, uint32_t side, bool uniform);
+  uint32_t begin_face(uint32_t polygon, uint32_t side);
+  uint32_t add_face(uint32_t polygon, uint32_t side);
+  void add_uniform_face(uint32_t polygon, uint32_t side);
+  void add_whole_face(uint32_t polygon, uint32_t side);
   uint32_t corner_vertex(uint32_t polygon, uint32_t side, int corner);
+  uint32_t add_corner(uint32_t polygon, uint32_t face, int corner);
+  std::vector<bool> curved_polygons(double small) const;
   uint32_t add_vertex(MeshVertex vertex, uint32_t element);
   uint32_t edge_middle(uint32_t a, uint32_t b, uint32_t element);
   uint32_t add_element(const Element& element, uint32_t face, uint32_t parent);
@@ -68,7 +75,7 @@ class MeshBuilder {
   const Scene& scene_;
   Mesh mesh_;
   double large_ = 0;  // m
-  uint32_t uniform_count_ = 0;
+  uint32_t whole_faces_ = 0, whole_vertices_ = 0;
   std::vector<uint32_t> face_of_element_, parent_of_element_, face_of_vertex_;
   std::vector<Vec3> sample_points_;
   std::unordered_map<uint64_t, uint32_t> middle_of_edge_;  // looked up only, never iterated

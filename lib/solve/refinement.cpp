@@ -160,9 +160,9 @@ double Refinement::scale_of(const Node& receiver) const {
 }
 
 bool Refinement::can_split(const Node& node, const RefinementOptions& options) const {
-  return node.is_cluster() ? node.radius > options.smallest_radius
-                           : node.radius > options.smallest_radius &&
-                                 !is_uniform(tree_.builder().mesh().elements[node.element]);
+  return node.is_cluster()
+             ? node.radius > options.smallest_radius
+             : node.radius > options.smallest_radius && node.face >= tree_.builder().whole_faces();
 }
 
 // What can be told of a link before a single ray.

@@ -38,6 +38,13 @@ std::vector<Rgb> vertex_values(const Mesh& mesh, const Field& field, const RowVa
   return values;
 }
 
+VertexLight vertex_light(const Slab& slab, LightParts parts, const RowValue& value) {
+  VertexLight light;
+  if (parts == LightParts::kAll) light.direct = vertex_values(slab.mesh, slab.direct, value);
+  light.indirect = vertex_values(slab.mesh, slab.indirect, value);
+  return light;
+}
+
 // A vertex's value in terms of surpluses: its own, those of its parents, and so on, each once. The vertex of
 // highest index has no children left, so its weight is complete when it is taken.
 Rgb vertex_value(const Slab& slab, const Field& field, uint32_t of, double time, bool continuous) {
@@ -70,18 +77,18 @@ uint32_t slab_at(const Solution& solution, double time) {
   return i;
 }
 
-VertexLight light_at(const Slab& slab, double time, bool continuous) {
+VertexLight light_at(const Slab& slab, double time, bool continuous, LightParts parts) {
   const RowValue value = [&](const Field& field, uint32_t row) {
     return value_at(slab.grid, field, row, time, continuous);
   };
-  return {vertex_values(slab.mesh, slab.direct, value), vertex_values(slab.mesh, slab.indirect, value)};
+  return vertex_light(slab, parts, value);
 }
 
-VertexLight light_over(const Slab& slab, double begin, double end, bool continuous) {
+VertexLight light_over(const Slab& slab, double begin, double end, bool continuous, LightParts parts) {
   const RowValue value = [&](const Field& field, uint32_t row) {
     return mean_over(slab.grid, field, row, begin, end, continuous);
   };
-  return {vertex_values(slab.mesh, slab.direct, value), vertex_values(slab.mesh, slab.indirect, value)};
+  return vertex_light(slab, parts, value);
 }
 
 Rgb direct_at(const Slab& slab, const MeshPoint& point, double time, bool continuous) {

@@ -63,11 +63,11 @@ size_t SolutionFile::place_of(double time) const {
   return place;
 }
 
-const Slab& SolutionFile::slab_for(double begin, double end) {
+const Slab& SolutionFile::slab_for(double begin, double end, LightParts parts) {
   if (whole_) return whole_->slabs[strad::slab_at(*whole_, begin)];
   const size_t place = place_of(begin);
   if (loaded_place_ != place) load_mesh(place);
-  load_buckets(place, begin, end);
+  load_buckets(place, begin, end, parts);
   return slab_;
 }
 
@@ -83,11 +83,13 @@ void SolutionFile::load_mesh(size_t place) {
   loaded_entries_.clear();
 }
 
-void SolutionFile::load_buckets(size_t place, double begin, double end) {
+void SolutionFile::load_buckets(size_t place, double begin, double end, LightParts parts) {
   const std::vector<uint32_t> cells = cells_needed(slab_.grid, begin, std::max(begin, end));
   std::vector<size_t> needed;
   for (size_t i = places_[place].first + 1; i < places_[place].end; ++i)
-    if (has_cell_in(cells, index_[i].first_cell, index_[i].end_cell)) needed.push_back(i);
+    if ((parts == LightParts::kAll || index_[i].type != kDirectChunk) &&
+        has_cell_in(cells, index_[i].first_cell, index_[i].end_cell))
+      needed.push_back(i);
   if (needed == loaded_entries_) return;
 
   std::vector<Bucket> direct, indirect;

@@ -20,10 +20,10 @@ class SolutionFile {  // not thread-safe
   double begin() const;  // s: the time that the solution covers
   double end() const;
 
-  // The slab that holds `begin` (clamped), with the pieces needed at any time in [begin, end] of that slab;
-  // other pieces may be missing. Valid until the next call. Throws BadInput when a chunk turns out to be
-  // damaged.
-  const Slab& slab_for(double begin, double end);
+  // The slab that holds `begin` (clamped), with the pieces of `parts` needed at any time in [begin, end] of
+  // that slab; other pieces may be missing. Valid until the next call. Throws BadInput when a chunk turns out
+  // to be damaged.
+  const Slab& slab_for(double begin, double end, LightParts parts = LightParts::kAll);
   const Slab& slab_at(double time) { return slab_for(time, time); }
 
  private:
@@ -34,7 +34,7 @@ class SolutionFile {  // not thread-safe
   void read_file();
   size_t place_of(double time) const;
   void load_mesh(size_t place);
-  void load_buckets(size_t place, double begin, double end);
+  void load_buckets(size_t place, double begin, double end, LightParts parts);
 
   std::unique_ptr<StreamReader> reader_;
   Scene scene_;

@@ -2,6 +2,7 @@
 // and show what they should.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 
 #include "frame/export_mesh.h"
@@ -36,7 +37,7 @@ struct Ball {
     add_parts(&scene, {0, 0, 3}, {1, 0, 0}, {0, 1, 0}, kFlat);
     end = static_cast<uint32_t>(scene.polygons.size());
   }
-  Mesh mesh(double below, uint32_t* uniform_count = nullptr) const {
+  Mesh mesh(double below, uint32_t* whole_faces = nullptr) const {
     MeshBuilder builder(scene);
     std::vector<bool> fronts(2 * scene.polygons.size());
     for (size_t s = 0; s < fronts.size(); s += 2) fronts[s] = true;
@@ -47,7 +48,10 @@ struct Ball {
       builder.split(floor);
       for (uint32_t c = 0; c < 4; ++c) builder.split(builder.mesh().elements[floor].first_child + c);
     }
-    if (uniform_count) *uniform_count = builder.uniform_count();
+    if (whole_faces) {
+      *whole_faces = builder.whole_faces();
+      EXPECT_EQ(builder.whole_vertices(), builder.whole_faces());  // all of them are uniform
+    }
     return builder.take();
   }
 };
@@ -204,6 +208,37 @@ TEST(UniformFaces, AreExportedWithTheirOwnCorners) {
     EXPECT_NEAR(found->second.first, polygon_area(ball.scene, polygon), 1e-9);
     EXPECT_NEAR(found->second.second, slab.mesh.face_of_side[2 * p], 1e-2);
   }
+}
+
+// A box has edges: light differs along its sides, so those that are not too small have vertices of their own
+// at their corners. They come after the uniform ones, before all that may be split.
+TEST(WholeFaces, OfBoxesHaveCornersOfTheirOwn) {
+  Scene scene;
+  scene.end = 1;
+  add_polygon(&scene, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+  const auto add_box = [&](Vec3 at, double side) {
+    const auto corner = [&](int i) { return at + side * Vec3(i & 1, i >> 1 & 1, i >> 2); };
+    for (const auto& face : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+                             std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}})
+      add_polygon(&scene, {corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3])});
+  };
+  add_box({1, 1, 1}, 0.15);
+  add_box({2, 2, 1}, 0.05);
+  MeshBuilder builder(scene);
+  std::vector<bool> fronts(2 * scene.polygons.size());
+  for (size_t s = 0; s < fronts.size(); s += 2) fronts[s] = true;
+  builder.add_faces(fronts, 0.2);
+  const Mesh& mesh = builder.mesh();
+  EXPECT_EQ(builder.whole_faces(), 12u);
+  EXPECT_EQ(builder.whole_vertices(), 6u + 4 * 6);
+  std::vector<int> users(mesh.vertices.size(), 0);
+  for (uint32_t f = 0; f < builder.whole_faces(); ++f) {
+    const Element& root = mesh.elements[mesh.faces[f].element];
+    EXPECT_EQ(is_uniform(root), mesh.faces[f].polygon > 6) << f;
+    for (int c = 0; c < 4; ++c) ++users[root.vertices[c]];
+  }
+  for (uint32_t v = 0; v < builder.whole_vertices(); ++v) EXPECT_EQ(users[v], v < 6 ? 4 : 1) << v;
+  EXPECT_FALSE(is_uniform(root_of(mesh, 0)));
 }
 
 // Of how much of an error shows: a sixth for what is small, all for what is large.
