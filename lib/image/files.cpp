@@ -12,7 +12,9 @@
 #include <mutex>
 
 #include "base/error.h"
+#include "image/exr.h"
 #include "image/module/module.h"
+#include "image/png.h"
 #include "image/pnm.h"
 #include "image/srgb.h"
 #include "stream/output_file.h"
@@ -51,6 +53,11 @@ std::string format_of(const std::string& path) {
 
 bool is_pnm_format(const std::string& format) { return format == "ppm" || format == "pfm"; }
 
+// Written without the module.
+bool is_own_format(const std::string& format) {
+  return is_pnm_format(format) || format == "exr" || format == "png";
+}
+
 std::string read_all(std::istream& stream, const std::string& name) {
   std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   if (stream.bad()) throw IoError(name + ": cannot be read");
@@ -82,7 +89,9 @@ void write_file(const std::string& path, const std::string& bytes) {
 void write_format(const std::string& path, const std::string& format, const Image& image) {
   if (format == "ppm") return write_file(path, encode_ppm(image));
   if (format == "pfm") return write_file(path, encode_pfm(image));
-  const std::string fault = module().write(path, format, image);
+  const std::string fault = format == "exr"   ? write_exr(path, image)
+                            : format == "png" ? write_png(path, image)
+                                              : module().write(path, format, image);
   if (!fault.empty()) throw IoError(fault);
 }
 
@@ -116,7 +125,7 @@ SrgbImage load_srgb_image(const std::string& path) {
 
 void require_image_format(const std::string& path) {
   const std::string format = format_of(path);
-  if (is_pnm_format(format) || (!format.empty() && module().knows(format))) return;
+  if (is_own_format(format) || (!format.empty() && module().knows(format))) return;
   throw BadInput(path + ": found the extension '" + format +
                  "', expected one of a picture format, such as exr, png, ppm, pfm");
 }

@@ -1,5 +1,6 @@
-// Pictures in files. PPM and PFM are read and written here; every other format goes through OpenImageIO,
-// which lives in a module that is loaded when the first such file is touched (it costs 0.2 s).
+// Pictures in files. PPM and PFM are read and written here, EXR and PNG written with their own libraries; all
+// else goes through OpenImageIO, which lives in a module that is loaded when the first such file is touched
+// (it costs 0.3 s, four times a small frame).
 #pragma once
 
 #include <string>

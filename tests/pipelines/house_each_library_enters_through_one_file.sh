@@ -14,6 +14,8 @@ only() {  # only PATTERN FILES-PATTERN
 only 'embree3/' 'lib/light/*.cpp'
 only 'tiny_obj_loader' 'lib/scene/import_obj*.cpp'
 only 'OpenImageIO/' 'lib/image/module/*.cpp'
+only 'OpenEXR/' 'lib/image/*.cpp'
+only 'png\.h' 'lib/image/*.cpp'
 only 'zstd' 'lib/stream/*.cpp'
 only 'xxhash' 'lib/stream/*.cpp'
 only '(tbb|oneapi)/' 'lib/base/*.cpp'
@@ -21,5 +23,5 @@ only 'CLI/' 'tools/tool*.cpp'
 
 # Nothing else from outside: every other <...> is the standard library's, POSIX's or Linux's.
 others=$(grep -rhoE '#include <[^>]+/[^>]*>' lib tools | sort -u |
-  grep -vE '<(embree3|OpenImageIO|tbb|oneapi|CLI|sys|immintrin)' || true)
+  grep -vE '<(embree3|OpenEXR|OpenImageIO|tbb|oneapi|CLI|sys|immintrin)' || true)
 test -z "$others" || { echo "also included: $others"; exit 1; }

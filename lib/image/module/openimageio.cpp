@@ -1,4 +1,4 @@
-// The only user of OpenImageIO: all picture formats but PPM and PFM.
+// The only user of OpenImageIO: all picture formats but PPM and PFM, and EXR and PNG to be written.
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -12,8 +12,6 @@ namespace {
 using strad::Image;
 using strad::kMaxPixels;
 using strad::SrgbImage;
-
-constexpr float kLargestHalf = 65504;
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
@@ -78,16 +76,13 @@ std::string read_srgb(const std::string& path, SrgbImage* image) {
   return "";
 }
 
-bool is_float_format(const std::string& format) {
-  return format == "exr" || format == "hdr" || format == "rgbe";
-}
+bool is_float_format(const std::string& format) { return format == "hdr" || format == "rgbe"; }
 bool is_word_format(const std::string& format) { return format == "tif" || format == "tiff"; }
 
 OIIO::ImageSpec spec_for(const Image& image, const std::string& format) {
-  const OIIO::TypeDesc type = format == "exr"           ? OIIO::TypeDesc::HALF
-                              : is_float_format(format) ? OIIO::TypeDesc::FLOAT
-                              : is_word_format(format)  ? OIIO::TypeDesc::UINT16
-                                                        : OIIO::TypeDesc::UINT8;
+  const OIIO::TypeDesc type = is_float_format(format)  ? OIIO::TypeDesc::FLOAT
+                              : is_word_format(format) ? OIIO::TypeDesc::UINT16
+                                                       : OIIO::TypeDesc::UINT8;
   OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), 3, type);
   spec.attribute("DateTime", "1970:01:01 00:00:00");  // else the clock's: equal pixels, unequal bytes
   spec.attribute("compression", format == "jpg" || format == "jpeg" ? "jpeg:95" : "zip");
@@ -99,7 +94,7 @@ std::vector<float> floats_of(const Image& image) {
   std::vector<float> samples;
   samples.reserve(3 * image.pixels.size());
   for (const strad::Rgb& pixel : image.pixels)
-    for (int channel = 0; channel < 3; ++channel) samples.push_back(std::min(pixel[channel], kLargestHalf));
+    for (int channel = 0; channel < 3; ++channel) samples.push_back(pixel[channel]);
   return samples;
 }
 
