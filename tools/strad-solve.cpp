@@ -2,6 +2,7 @@
 #include "solve/slab_work.h"
 #include "solve/solve.h"
 #include "solve/stats_text.h"
+#include "solve/wall_cuts.h"
 #include "tool.h"
 
 namespace {
@@ -46,6 +47,7 @@ SolveArguments parse_arguments(int argc, char** argv) {
 int solve(const SolveArguments& a) {
   strad::refuse_terminal(a.common.output);
   strad::Stream stream = strad::read_stream(a.stream);
+  stream.scene = strad::cut_under_walls(std::move(stream.scene));
   strad::SolveStats stats;
   strad::Solution solution;
   solution.slabs.push_back(strad::solve(stream.scene, a.solve, &stats, strad::progress_bar(a.common)));
