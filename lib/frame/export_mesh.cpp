@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "frame/texture.h"
+#include "scene/texture.h"
 #include "image/srgb.h"
 #include "solve/mesh.h"
 
@@ -25,14 +25,6 @@ LeafPoint mean_of(const Mesh& mesh, const uint32_t* vertices, int count) {
     point.position += mesh.vertices[vertices[i]].position / count;
   }
   return point;
-}
-
-Rgb mean_colour(const Texture& texture) {
-  double sum[3] = {0, 0, 0};
-  for (size_t i = 0; i < texture.srgb.size(); ++i) sum[i % 3] += linear_from_byte(texture.srgb[i]);
-  const double texels = std::max<double>(1, static_cast<double>(texture.srgb.size() / 3));
-  const auto mean = [&](int channel) { return static_cast<float>(sum[channel] / texels); };
-  return {mean(0), mean(1), mean(2)};
 }
 
 // What makes two corners one.

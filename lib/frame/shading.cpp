@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "frame/texture.h"
+#include "scene/texture.h"
 
 namespace strad {
 namespace {

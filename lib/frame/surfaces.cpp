@@ -1,6 +1,6 @@
 #include "frame/surfaces.h"
 
-#include "frame/texture.h"
+#include "scene/texture.h"
 #include "solve/mesh.h"
 
 namespace strad {

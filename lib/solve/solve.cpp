@@ -9,12 +9,12 @@
 #include <ctime>
 
 #include "base/error.h"
-#include "image/srgb.h"
 #include "solve/direct_phase.h"
 #include "solve/final_gather.h"
 #include "solve/indirect_phase.h"
 #include "solve/leaf_light.h"
 #include "solve/link_light.h"
+#include "solve/mean_reflectance.h"
 #include "solve/power.h"
 #include "solve/reach.h"
 
@@ -37,25 +37,6 @@ TimeGrid grid_for(const Scene& scene, const SolveOptions& options) {
   for (const double t : step_times(scene))
     if (t > begin && t < end) steps.push_back(t);
   return make_time_grid(begin, end, steps, options.order, sample_count(scene, begin, end));
-}
-
-Rgb mean_of(const Texture& texture) {
-  double sum[3] = {0, 0, 0};
-  for (size_t i = 0; i < texture.srgb.size(); ++i) sum[i % 3] += linear_from_byte(texture.srgb[i]);
-  const double texels = std::max(1.0, static_cast<double>(texture.srgb.size() / 3));
-  return {static_cast<float>(sum[0] / texels), static_cast<float>(sum[1] / texels),
-          static_cast<float>(sum[2] / texels)};
-}
-
-// The scene with the mean of each texture in its material's reflectance: what light transport sees.
-Scene without_textures(Scene scene) {
-  for (Material& material : scene.materials) {
-    if (material.texture == kNone) continue;
-    material.reflectance = material.reflectance * mean_of(scene.textures[material.texture]);
-    material.texture = kNone;
-  }
-  scene.textures.clear();
-  return scene;
 }
 
 // Seconds since it was made.
@@ -142,7 +123,7 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
     if (progress) progress(done, what);
   };
   check(scene, options);
-  if (!scene.textures.empty()) return solve(without_textures(scene), options, stats, progress);
+  if (!scene.textures.empty()) return solve(with_mean_reflectances(scene), options, stats, progress);
   const Stopwatch all;
   report(0, "direct light");
   Slab slab;

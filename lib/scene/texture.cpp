@@ -1,8 +1,10 @@
-#include "frame/texture.h"
+#include "scene/texture.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "base/rng.h"
 #include "image/srgb.h"
 
 namespace strad {
@@ -44,6 +46,35 @@ Rgb texture_colour(const Texture& texture, Vec2 uv) {
   const Rgb upper = (1 - x.part) * texel(texture, x.low, y.low) + x.part * texel(texture, x.high, y.low);
   const Rgb lower = (1 - x.part) * texel(texture, x.low, y.high) + x.part * texel(texture, x.high, y.high);
   return (1 - y.part) * upper + y.part * lower;
+}
+
+Rgb mean_colour(const Texture& texture) {
+  double sum[3] = {0, 0, 0};
+  for (size_t i = 0; i < texture.srgb.size(); ++i) sum[i % 3] += linear_of_byte()[texture.srgb[i]];
+  const double texels = std::max(1.0, static_cast<double>(texture.srgb.size() / 3));
+  const auto mean = [&](int channel) { return static_cast<float>(sum[channel] / texels); };
+  return {mean(0), mean(1), mean(2)};
+}
+
+Rgb mean_colour(const Scene& scene, const Polygon& polygon, const Texture& texture) {
+  // As many points as texels, within bounds.
+  constexpr double kFewest = 16, kMost = 4096;
+  double twice = 0;  // its area in texture coordinates
+  const int corners = polygon.corner_count();
+  for (int i = 0; i < corners; ++i) {
+    const Vec2 a = scene.uvs[polygon.uvs[i]], b = scene.uvs[polygon.uvs[(i + 1) % corners]];
+    twice += a.x * b.y - b.x * a.y;
+  }
+  const double texels = 0.5 * std::abs(twice) * texture.width * texture.height;
+  const auto count =
+      static_cast<uint32_t>(std::isfinite(texels) ? std::clamp(texels, kFewest, kMost) : kFewest);
+  Rgb sum;
+  for (uint32_t i = 0; i < count; ++i) {
+    Point2 p = r2_point(i, 0.5, 0.5);
+    if (corners == 3 && p.u + p.v > 1) p = {1 - p.u, 1 - p.v};
+    sum += texture_colour(texture, texture_uv(scene, polygon, {p.u, p.v}));
+  }
+  return (1 / static_cast<float>(count)) * sum;
 }
 
 Vec2 texture_uv(const Scene& scene, const Polygon& polygon, Vec2 at) {

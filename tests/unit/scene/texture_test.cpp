@@ -1,5 +1,5 @@
 // Colours of textures.
-#include "frame/texture.h"
+#include "scene/texture.h"
 
 #include <gtest/gtest.h>
 
@@ -41,6 +41,20 @@ TEST(Texture, BytesAreOnTheSrgbCurve) {
   grey.width = grey.height = 1;
   grey.srgb = {188, 188, 188};  // half in linear light: ((188/255 + 0.055) / 1.055)^2.4 = 0.503
   EXPECT_NEAR(texture_colour(grey, {0.3, 0.3}).g, 0.503, 5e-4);
+}
+
+// Upper row red and black, lower row white and blue: each polygon has the mean of what it shows.
+TEST(Texture, MeansAreOfThePartThatIsShown) {
+  const Texture texture = four_texels();
+  Scene scene;
+  scene.uvs = {{0, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}, {0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const Polygon part{{0, 1, 2, 3}, {0, 1, 2, 3}, 0, 0}, all{{0, 1, 2, 3}, {4, 5, 6, 7}, 0, 0};
+  const Rgb whole = mean_colour(texture), sampled = mean_colour(scene, all, texture);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(whole[c], c == 1 ? 0.25 : 0.5, 1e-6);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(sampled[c], whole[c], 0.1);
+  const Rgb red = mean_colour(scene, part, texture);
+  EXPECT_GT(red.r, 2 * red.g);
+  EXPECT_GT(red.r, 2 * red.b);
 }
 
 TEST(Texture, HostileCoordinatesGiveBlack) {

@@ -1,4 +1,4 @@
-// Colours of textures, looked up point by point.
+// Colours of textures: at points, and means.
 #pragma once
 
 #include "base/rgb.h"
@@ -13,6 +13,10 @@ Rgb texture_colour(const Texture& texture, Vec2 uv);
 // Texture coordinates at the parametric position `at` of a polygon (see parametric_of).
 // REQUIRES: the polygon has them.
 Vec2 texture_uv(const Scene& scene, const Polygon& polygon, Vec2 at);
+
+// Mean over the texture, and over the part of it that a polygon shows. REQUIRES: the polygon has coordinates.
+Rgb mean_colour(const Texture& texture);
+Rgb mean_colour(const Scene& scene, const Polygon& polygon, const Texture& texture);
 
 inline bool has_texture(const Scene& scene, const Polygon& polygon) {
   return scene.materials[polygon.material].texture != kNone && polygon.uvs[0] != kNone;
