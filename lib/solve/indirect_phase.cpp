@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <utility>
 
 #include "base/parallel.h"
 #include "solve/whole_rows.h"
@@ -236,14 +238,42 @@ std::vector<std::vector<Rgb>> IndirectPhase::of_whole_face(uint32_t face, uint64
   return rows;
 }
 
+// For each vertex the last one whose surplus asks for its function.
+std::vector<uint32_t> IndirectPhase::last_users_of_functions() const {
+  const Mesh& mesh = builder_.mesh();
+  std::vector<uint32_t> last_user(mesh.vertices.size());
+  const std::function<void(uint32_t, uint32_t)> use = [&](uint32_t vertex, uint32_t user) {
+    last_user[vertex] = user;
+    if (!functions_[vertex].irradiance.empty()) return;
+    for (int p = 0; p < parent_count(mesh.vertices[vertex]); ++p) use(mesh.vertices[vertex].parents[p], user);
+  };
+  for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    last_user[v] = v;
+    if (functions_[v].irradiance.empty()) continue;
+    for (int p = 0; p < parent_count(mesh.vertices[v]); ++p) use(mesh.vertices[v].parents[p], v);
+  }
+  return last_user;
+}
+
 Field IndirectPhase::surpluses() {
   const Mesh& mesh = builder_.mesh();
   functions_.resize(mesh.vertices.size());
   fill_buried();
   const std::vector<bool> hanging = builder_.hanging_vertices();
+  for (size_t v = 0; v < hanging.size(); ++v)
+    if (hanging[v]) functions_[v] = {};
+  const std::vector<uint32_t> last_users = last_users_of_functions();
+  std::vector<uint32_t> by_last_user(mesh.vertices.size());
+  std::iota(by_last_user.begin(), by_last_user.end(), 0u);
+  std::sort(by_last_user.begin(), by_last_user.end(), [&](uint32_t a, uint32_t b) {
+    return std::pair(last_users[a], a) < std::pair(last_users[b], b);
+  });
+  auto done = by_last_user.begin();
   Field field = std::move(whole_);
   for (uint32_t v = builder_.whole_vertices(); v < mesh.vertices.size(); ++v) {
-    if (hanging[v]) functions_[v] = {};
+    // Functions go as their rows come, and their pages with them.
+    for (; done != by_last_user.end() && last_users[*done] < v; ++done) functions_[*done] = {};
+    if (v % 4096 == 0) malloc_trim(0);
     const TightFunction& own = functions_[v].irradiance;
     if (own.empty()) {
       if (parent_count(mesh.vertices[v]) == 0)

@@ -46,6 +46,7 @@ class IndirectPhase {
   std::vector<std::vector<Rgb>> of_whole_face(uint32_t face, uint64_t* rays) const;
   VertexFunction filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const;
   std::vector<Rgb> parents_mean(uint32_t vertex) const;
+  std::vector<uint32_t> last_users_of_functions() const;
 
   const Scene& scene_;
   const TimeGrid& grid_;
