@@ -54,7 +54,10 @@ float mean_irradiance(const Mesh& mesh, const VertexLight& light) {
 }  // namespace
 
 ExportLeaves::ExportLeaves(const Slab& slab, ExportLight light)
-    : mesh_(slab.mesh), split_(mesh_.elements.size(), false), twisted_(mesh_.elements.size(), false) {
+    : mesh_(slab.mesh),
+      split_(mesh_.elements.size(), false),
+      twisted_(mesh_.elements.size(), false),
+      users_(mesh_.vertices.size(), 0) {
   std::vector<VertexLight> dates;
   float mean = 0;
   for (int i = 0; i < kDates; ++i) {
@@ -100,6 +103,7 @@ void ExportLeaves::mark_used(uint32_t element) {
     return;
   }
   for (int i = 0; i < e.corner_count(); ++i) {
+    ++users_[e.vertices[i]];
     const uint32_t* parents = mesh_.vertices[e.vertices[i]].parents;
     if (parents[0] != kNone && parents[2] == kNone) {
       middle_of_edge_.try_emplace(edge_key(parents[0], parents[1]), e.vertices[i]);
@@ -114,6 +118,11 @@ void ExportLeaves::mark_twisted(const std::vector<Rgb>& irradiance, float tolera
     const Rgb twist = irradiance[v[0]] - irradiance[v[1]] + irradiance[v[2]] - irradiance[v[3]];
     twisted_[e] = largest(twist) / 4 > tolerance;
   }
+}
+
+bool ExportLeaves::alone(uint32_t element) const {
+  const Element& e = mesh_.elements[element];
+  return std::all_of(e.vertices, e.vertices + e.corner_count(), [&](uint32_t v) { return users_[v] == 1; });
 }
 
 std::vector<uint32_t> ExportLeaves::outline(uint32_t element) const {

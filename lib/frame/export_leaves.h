@@ -22,6 +22,8 @@ class ExportLeaves {
   std::vector<uint32_t> outline(uint32_t element) const;
   // Two triangles would show a quad wrongly: at its centre, too far from the mean of its corners.
   bool twisted(uint32_t element) const { return twisted_[element]; }
+  // No other leaf has any of its corners.
+  bool alone(uint32_t element) const;
 
  private:
   void mark_split(const std::vector<float>& surplus, float tolerance);
@@ -31,6 +33,7 @@ class ExportLeaves {
 
   const Mesh& mesh_;
   std::vector<bool> split_, twisted_;                      // per element
+  std::vector<uint32_t> users_;                            // leaves that have it, per vertex
   std::unordered_map<uint64_t, uint32_t> middle_of_edge_;  // of used vertices; looked up only, never iterated
 };
 

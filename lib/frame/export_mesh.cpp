@@ -5,16 +5,17 @@
 #include <numeric>
 #include <tuple>
 
-#include "scene/texture.h"
 #include "image/srgb.h"
+#include "scene/texture.h"
 #include "solve/mesh.h"
 
 namespace strad {
 namespace {
 
-// A point of a leaf: vertices whose mean it is, and its place on the polygon.
+// A point of a leaf: vertices that it lies between, and its place on the polygon.
 struct LeafPoint {
   std::array<uint32_t, 4> vertices{kNone, kNone, kNone, kNone};
+  std::array<float, 4> weights{};
   Vec3 position;
 };
 
@@ -22,14 +23,27 @@ LeafPoint mean_of(const Mesh& mesh, const uint32_t* vertices, int count) {
   LeafPoint point;
   for (int i = 0; i < count; ++i) {
     point.vertices[i] = vertices[i];
+    point.weights[i] = 1 / static_cast<float>(count);
     point.position += mesh.vertices[vertices[i]].position / count;
   }
   return point;
 }
 
+// At (u, v) of a quad.
+LeafPoint between(const Mesh& mesh, const uint32_t* vertices, double u, double v) {
+  const double weights[4] = {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
+  LeafPoint point;
+  for (size_t i = 0; i < 4; ++i) {
+    point.vertices[i] = vertices[i];
+    point.weights[i] = static_cast<float>(weights[i]);
+    point.position += weights[i] * mesh.vertices[vertices[i]].position;
+  }
+  return point;
+}
+
 // What makes two corners one.
-using CornerKey =
-    std::tuple<std::array<uint32_t, 4>, double, double, double, uint32_t, bool, bool, double, double>;
+using CornerKey = std::tuple<std::array<uint32_t, 4>, std::array<float, 4>, double, double, double, uint32_t,
+                             bool, bool, double, double>;
 
 // The corners and triangles of one body as they are added.
 class BodyBuilder {
@@ -73,7 +87,8 @@ class BodyBuilder {
   uint32_t corner(uint32_t polygon_index, uint32_t side, bool lifted, const LeafPoint& point) {
     const Polygon& polygon = scene_.polygons[polygon_index];
     ExportCorner corner;
-    std::copy(point.vertices.begin(), point.vertices.end(), corner.vertices);
+    corner.vertices = point.vertices;
+    corner.weights = point.weights;
     corner.material = polygon.material;
     corner.emits = side == 0 && emits(scene_, polygon);
     corner.textured = has_texture(scene_, polygon);
@@ -84,9 +99,9 @@ class BodyBuilder {
     if (lifted) corner.position += -lift_ * polygon_normal(scene_, polygon);
     const auto index = static_cast<uint32_t>(body_.corners.size());
     if (point.vertices[0] != kNone) {
-      const CornerKey key{point.vertices,   point.position.x, point.position.y,
-                          point.position.z, corner.material,  corner.textured,
-                          corner.emits,     corner.uv.x,      corner.uv.y};
+      const CornerKey key{point.vertices,   point.weights,   point.position.x, point.position.y,
+                          point.position.z, corner.material, corner.textured,  corner.emits,
+                          corner.uv.x,      corner.uv.y};
       const auto [it, added] = index_of_.try_emplace(key, index);
       if (!added) return it->second;
     }
@@ -100,6 +115,18 @@ class BodyBuilder {
   std::map<CornerKey, uint32_t> index_of_;
 };
 
+// A quad in quarters, each about its centre: a sixteenth of the error of two triangles.
+void add_quarters(const Mesh& mesh, const uint32_t* vertices, const Face& face, bool lifted,
+                  BodyBuilder* body) {
+  for (const double u : {0.25, 0.75})
+    for (const double v : {0.25, 0.75}) {
+      std::vector<LeafPoint> points{between(mesh, vertices, u, v)};
+      for (const Vec2 d : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{1, 1}, Vec2{-1, 1}, Vec2{-1, -1}})
+        points.push_back(between(mesh, vertices, u + 0.25 * d.x, v + 0.25 * d.y));
+      body->add_fan(face.polygon, face.side, lifted, points);
+    }
+}
+
 // Adds the leaves below `element`.
 void add_leaves(const Scene& scene, const Mesh& mesh, const ExportLeaves& leaves, uint32_t element,
                 const Face& face, bool lifted, BodyBuilder* body) {
@@ -108,7 +135,7 @@ void add_leaves(const Scene& scene, const Mesh& mesh, const ExportLeaves& leaves
     std::vector<LeafPoint> points;
     const Polygon& polygon = scene.polygons[face.polygon];
     for (int i = 0; i < polygon.corner_count(); ++i)
-      points.push_back({{e.vertices[0], kNone, kNone, kNone}, scene.vertices[polygon.corners[i]]});
+      points.push_back({{e.vertices[0], kNone, kNone, kNone}, {1}, scene.vertices[polygon.corners[i]]});
     return body->add_fan(face.polygon, face.side, lifted, points);
   }
   if (!leaves.is_leaf(element)) {
@@ -116,6 +143,8 @@ void add_leaves(const Scene& scene, const Mesh& mesh, const ExportLeaves& leaves
     return;
   }
   const int n = e.corner_count();
+  if (n == 4 && leaves.twisted(element) && leaves.alone(element))
+    return add_quarters(mesh, e.vertices, face, lifted, body);
   const std::vector<uint32_t> outline = leaves.outline(element);
   std::vector<LeafPoint> points;
   const bool about_centre = outline.size() > static_cast<size_t>(n) || leaves.twisted(element);
@@ -172,9 +201,9 @@ double export_lift(const Scene& scene) {
 
 Rgb corner_irradiance(const ExportCorner& corner, const std::vector<Rgb>& vertex_irradiance) {
   Rgb sum;
-  int count = 0;
-  while (count < 4 && corner.vertices[count] != kNone) sum += vertex_irradiance[corner.vertices[count++]];
-  return count > 0 ? (1.0f / static_cast<float>(count)) * sum : sum;
+  for (size_t i = 0; i < 4 && corner.vertices[i] != kNone; ++i)
+    sum += corner.weights[i] * vertex_irradiance[corner.vertices[i]];
+  return sum;
 }
 
 std::vector<Rgb> textured_reflectances(const Scene& scene) {

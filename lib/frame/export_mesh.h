@@ -16,8 +16,9 @@ namespace strad {
 // A point of one side of one material, and where its light comes from.
 struct ExportCorner {
   Vec3 position;  // rest, m
-  // Of the slab's mesh; the corner's irradiance is the mean of theirs, 0 of none.
-  uint32_t vertices[4] = {kNone, kNone, kNone, kNone};
+  // Of the slab's mesh; the corner's irradiance is the weighted sum of theirs, 0 of none.
+  std::array<uint32_t, 4> vertices{kNone, kNone, kNone, kNone};
+  std::array<float, 4> weights{};
   uint32_t material = 0;
   bool textured = false;
   bool emits = false;
@@ -33,7 +34,8 @@ struct ExportBody {
 
 // Bodies in their order, without those that have no polygons. Leaves that smaller leaves touch are cut about
 // their centre so that no edge has a corner in its middle; so are quads that two triangles would show
-// wrongly. Both sides of a polygon are given when its back is lit too, the back lifted by export_lift.
+// wrongly, those that share no corners into quarters first. Both sides of a polygon are
+// given when its back is lit too, the back lifted by export_lift.
 std::vector<ExportBody> export_mesh(const Scene& scene, const Slab& slab, ExportLight light);
 
 // m: 2e-6 of the scene's diagonal. Between the two sides of a polygon, and between a lamp and the polygon it

@@ -37,20 +37,36 @@ TEST(ExportMesh, FlatQuadBecomesTwoTrianglesSeenFromTheFront) {
 }
 
 // Light xy on the unit square is what a bilinear quad shows and two triangles cannot: at the centre 1/4, not
-// 1/2.
-TEST(ExportMesh, TwistedQuadIsCutAboutItsCentre) {
-  const Scene scene = square_scene();
+// 1/2. Alone, it is cut into quarters, each about its centre; beside another, whose edges must not have new
+// corners, about its own.
+void expect_twisted(bool alone, size_t corners, size_t triangles) {
+  Scene scene = square_scene();
+  if (!alone) {  // it goes on to x = 2
+    Polygon next = scene.polygons[0];
+    next.corners[0] = scene.polygons[0].corners[1];
+    next.corners[3] = scene.polygons[0].corners[2];
+    for (const auto& [c, y] : {std::pair{1, 0.0}, std::pair{2, 1.0}}) {
+      next.corners[c] = static_cast<uint32_t>(scene.vertices.size());
+      scene.vertices.push_back({2, y, 0});
+    }
+    scene.polygons.push_back(next);
+  }
   MeshBuilder builder(scene);
-  builder.face(0, 0);
+  for (uint32_t p = 0; p < scene.polygons.size(); ++p) builder.face(p, 0);
   const Slab slab = lit_slab(
       scene, builder.take(), [](Vec3 p) { return grey(p.x * p.y); }, kZero);
   const auto bodies = export_mesh(scene, slab, ExportLight::kAll);
-  ASSERT_EQ(bodies[0].corners.size(), 5u);
-  EXPECT_EQ(bodies[0].triangles.size(), 4u);
+  EXPECT_EQ(bodies[0].corners.size(), corners);
+  EXPECT_EQ(bodies[0].triangles.size(), triangles);
+  EXPECT_NEAR(total_area(bodies[0]).z, alone ? 1 : 2, 1e-12);
   const std::vector<Rgb> direct = light_at(slab, 0).direct;
   for (const ExportCorner& corner : bodies[0].corners) {
     EXPECT_NEAR(corner_irradiance(corner, direct).r, corner.position.x * corner.position.y, 1e-6);
   }
+}
+TEST(ExportMesh, TwistedQuadsAreCutAboutTheirCentres) {
+  expect_twisted(true, 9 + 4, 16);
+  expect_twisted(false, 6 + 2, 8);
 }
 
 // One quarter of the square is split twice more: its vertices hang on the edges of its neighbours.
