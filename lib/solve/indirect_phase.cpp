@@ -9,10 +9,13 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "solve/mesh_smoothing.h"
 #include "solve/whole_rows.h"
 
 namespace strad {
 namespace {
+
+constexpr int kSweeps = 2;  // against noise: each takes out about half
 
 int parent_count(const MeshVertex& vertex) {
   return vertex.parents[0] == kNone ? 0 : vertex.parents[2] == kNone ? 2 : 4;
@@ -141,6 +144,8 @@ void IndirectPhase::run() {
   whole_ = rows_of_whole_faces(
       grid_, builder_, options_.tolerance,
       [&](uint32_t face, uint64_t* rays) { return of_whole_face(face, rays); }, &rays_);
+  for (int sweep = 0; sweep < kSweeps; ++sweep)
+    whole_ = without_noise(grid_, builder_, options_.tolerance, whole_);
   malloc_trim(0);  // their rays and rows were many small things
   std::vector<uint32_t> level, vertices;
   for (uint32_t f = builder_.whole_faces(); f < mesh.faces.size(); ++f) {
@@ -238,6 +243,27 @@ std::vector<std::vector<Rgb>> IndirectPhase::of_whole_face(uint32_t face, uint64
   return rows;
 }
 
+void IndirectPhase::take_out_noise() {
+  const Mesh& mesh = builder_.mesh();
+  std::vector<bool> visited(mesh.elements.size(), false);
+  for (const uint32_t element : visited_) visited[element] = true;
+  std::vector<uint32_t> leaves;
+  for (const uint32_t element : visited_) {
+    const uint32_t first = mesh.elements[element].first_child;
+    if (first == kNone || !visited[first]) leaves.push_back(element);
+  }
+  std::vector<std::vector<NeighbourPair>> pairs = opposite_neighbours(mesh, leaves);
+  const auto is_free = [&](uint32_t v) {
+    return !functions_[v].irradiance.empty() && functions_[v].open.empty();
+  };
+  for (uint32_t v = 0; v < pairs.size(); ++v)
+    std::erase_if(pairs[v], [&](const NeighbourPair& pair) {
+      return !is_free(v) || !is_free(pair.a) || !is_free(pair.b);
+    });
+  for (int sweep = 0; sweep < kSweeps; ++sweep)
+    smooth(pairs, [&](uint32_t v) -> TightFunction& { return functions_[v].irradiance; });
+}
+
 // For each vertex the last one whose surplus asks for its function.
 std::vector<uint32_t> IndirectPhase::last_users_of_functions() const {
   const Mesh& mesh = builder_.mesh();
@@ -259,6 +285,7 @@ Field IndirectPhase::surpluses() {
   const Mesh& mesh = builder_.mesh();
   functions_.resize(mesh.vertices.size());
   fill_buried();
+  take_out_noise();
   const std::vector<bool> hanging = builder_.hanging_vertices();
   for (size_t v = 0; v < hanging.size(); ++v)
     if (hanging[v]) functions_[v] = {};

@@ -43,6 +43,7 @@ class IndirectPhase {
   bool worth_splitting(uint32_t element) const;
   bool is_partly_buried(uint32_t element) const;
   void fill_buried();
+  void take_out_noise();
   std::vector<std::vector<Rgb>> of_whole_face(uint32_t face, uint64_t* rays) const;
   VertexFunction filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const;
   std::vector<Rgb> parents_mean(uint32_t vertex) const;

@@ -101,6 +101,35 @@ void MeshBuilder::add_whole_face(uint32_t polygon, uint32_t side) {
   }
 }
 
+bool MeshBuilder::continues(uint32_t polygon, uint32_t other) const {
+  const Polygon &p = scene_.polygons[polygon], &q = scene_.polygons[other];
+  return body_of(scene_, p) == body_of(scene_, q) &&
+         dot(polygon_normal(scene_, p), polygon_normal(scene_, q)) >= kCosCurved;
+}
+
+std::vector<std::vector<uint32_t>> MeshBuilder::curved_neighbours() const {
+  std::unordered_map<uint64_t, uint32_t> waiting;  // of a side's edge, the first face; only looked up
+  std::vector<std::vector<uint32_t>> neighbours(whole_faces_);
+  const auto is_uniform_face = [&](uint32_t f) { return is_uniform(mesh_.elements[mesh_.faces[f].element]); };
+  for (uint32_t f = 0; f < whole_faces_ && is_uniform_face(f); ++f) {
+    const auto& [polygon, side, root] = mesh_.faces[f];
+    const Polygon& p = scene_.polygons[polygon];
+    for (int c = 0; c < p.corner_count(); ++c) {
+      const uint32_t a = position_of_vertex_[p.corners[c]],
+                     b = position_of_vertex_[p.corners[(c + 1) % p.corner_count()]];
+      const auto [it, added] = waiting.try_emplace(hash_of(edge_key(a, b), uint64_t{side}), f);
+      if (added || !continues(polygon, mesh_.faces[it->second].polygon)) continue;
+      neighbours[f].push_back(it->second);
+      neighbours[it->second].push_back(f);
+    }
+  }
+  for (uint32_t f = 0; f < whole_faces_; ++f) {
+    const Polygon& polygon = scene_.polygons[mesh_.faces[f].polygon];
+    if (neighbours[f].size() != static_cast<size_t>(polygon.corner_count())) neighbours[f].clear();
+  }
+  return neighbours;
+}
+
 // Polygons smaller than `small` that continue across half of their edges or more with little of a bend.
 std::vector<bool> MeshBuilder::curved_polygons(double small) const {
   std::unordered_map<uint64_t, uint32_t> first_user;  // of an edge; looked up only, never iterated
@@ -112,9 +141,7 @@ std::vector<bool> MeshBuilder::curved_polygons(double small) const {
       const uint32_t a = position_of_vertex_[p.corners[c]],
                      b = position_of_vertex_[p.corners[(c + 1) % p.corner_count()]];
       const auto [it, added] = first_user.try_emplace(edge_key(a, b), i);
-      const Polygon& q = scene_.polygons[it->second];
-      if (added || body_of(scene_, p) != body_of(scene_, q)) continue;
-      if (dot(polygon_normal(scene_, p), polygon_normal(scene_, q)) < kCosCurved) continue;
+      if (added || !continues(i, it->second)) continue;
       ++bends[i], ++bends[it->second];
     }
   }

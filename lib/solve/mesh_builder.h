@@ -26,6 +26,9 @@ class MeshBuilder {
   // Faces below this are whole, and vertices below that are theirs, in the same order.
   uint32_t whole_faces() const { return whole_faces_; }
   uint32_t whole_vertices() const { return whole_vertices_; }
+  // By uniform face: those across each of its edges that continue it with little of a bend; none where any of
+  // them is missing.
+  std::vector<std::vector<uint32_t>> curved_neighbours() const;
   // How much of an error a face shows, by its longest edge: 1/5 (small ones, which may be less exact) to 1.
   double prominence(uint32_t face) const;
   // Makes the four children of a leaf; their new vertices go to the end of the list.
@@ -66,6 +69,7 @@ class MeshBuilder {
   uint32_t corner_vertex(uint32_t polygon, uint32_t side, int corner);
   uint32_t add_corner(uint32_t polygon, uint32_t face, int corner);
   std::vector<bool> curved_polygons(double small) const;
+  bool continues(uint32_t polygon, uint32_t other) const;
   uint32_t add_vertex(MeshVertex vertex, uint32_t element);
   uint32_t edge_middle(uint32_t a, uint32_t b, uint32_t element);
   uint32_t add_element(const Element& element, uint32_t face, uint32_t parent);

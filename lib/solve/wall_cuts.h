@@ -8,10 +8,10 @@
 
 namespace strad {
 
-// The scene with all polygons at rest cut where a wall at rest stands on them or goes through them, no shorter
-// than a twentieth of the scene's diagonal and no lower than a fiftieth: a surface that light reaches on both
-// sides, one with a dark room behind it, or the side of a solid thinner than a fiftieth. What furniture stands
-// on stays whole.
+// The scene with all polygons at rest cut where a wall at rest stands on them or goes through them, no
+// shorter than a twentieth of the scene's diagonal and no lower than a fiftieth: a surface that light reaches
+// on both sides, one with a dark room behind it, or the side of a solid thinner than a fiftieth. What
+// furniture stands on stays whole.
 Scene cut_under_walls(Scene scene);
 
 }  // namespace strad

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "solve/noise.h"
 
 namespace strad {
 
@@ -36,6 +37,53 @@ Field rows_of_whole_faces(const TimeGrid& grid, const MeshBuilder& builder, floa
     }
   }
   return field;
+}
+
+namespace {
+
+std::vector<Rgb> values_of_row(const TimeGrid& grid, const Field& field, uint32_t row) {
+  std::vector<Rgb> values(grid.node_count());
+  add_values(grid, field, row, 0, grid.cell_count(), values.data());
+  return values;
+}
+
+// What a face differs from the mean of those around it.
+std::vector<Rgb> bend_of(const TimeGrid& grid, const Field& field, const std::vector<Rgb>& own,
+                         const std::vector<uint32_t>& around) {
+  std::vector<Rgb> bend(own.size());
+  for (const uint32_t n : around) add_values(grid, field, n, 0, grid.cell_count(), bend.data());
+  for (size_t d = 0; d < own.size(); ++d)
+    bend[d] = (1 / static_cast<float>(around.size())) * bend[d] - own[d];
+  return bend;
+}
+
+}  // namespace
+
+Field without_noise(const TimeGrid& grid, const MeshBuilder& builder, float tolerance, const Field& field) {
+  const std::vector<std::vector<uint32_t>> neighbours = builder.curved_neighbours();
+  // The rows of uniform faces come first, one each.
+  std::vector<uint32_t> curved;
+  for (uint32_t f = 0; f < neighbours.size(); ++f)
+    if (!neighbours[f].empty()) curved.push_back(f);
+  const size_t stride = curved.size() / 1000 + 1;
+  std::vector<double> bends;
+  for (size_t i = 0; i < curved.size(); i += stride) {
+    const std::vector<Rgb> own = values_of_row(grid, field, curved[i]);
+    bends.push_back(relative_rms(bend_of(grid, field, own, neighbours[curved[i]]), own));
+  }
+  const double usual = middle_of(&bends);
+  uint64_t rays = 0;
+  const auto smoothed = [&](uint32_t face, uint64_t*) {
+    const auto [first, count] = vertices_of_whole(builder.mesh(), face);
+    std::vector<std::vector<Rgb>> rows;
+    for (uint32_t v = first; v < first + count; ++v) rows.push_back(values_of_row(grid, field, v));
+    if (neighbours[face].empty()) return rows;
+    const std::vector<Rgb> bend = bend_of(grid, field, rows[0], neighbours[face]);
+    const float part = 0.5f * share_of_noise(relative_rms(bend, rows[0]), usual);
+    for (size_t d = 0; d < bend.size(); ++d) rows[0][d] += part * bend[d];
+    return rows;
+  };
+  return rows_of_whole_faces(grid, builder, tolerance, smoothed, &rays);
 }
 
 }  // namespace strad

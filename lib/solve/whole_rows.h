@@ -24,4 +24,8 @@ using FindWhole = std::function<std::vector<std::vector<Rgb>>(uint32_t face, uin
 Field rows_of_whole_faces(const TimeGrid& grid, const MeshBuilder& builder, float tolerance,
                           const FindWhole& find, uint64_t* rays);
 
+// The same field with the rows of uniform faces on curved surfaces moved half way towards the mean of those
+// around them, where that differs by no more than noise.
+Field without_noise(const TimeGrid& grid, const MeshBuilder& builder, float tolerance, const Field& field);
+
 }  // namespace strad

@@ -105,6 +105,28 @@ TEST(UniformFaces, ComeFirstAndInOrder) {
   }
 }
 
+// Within the ball each triangle has one across each edge; at its open ends one is missing, so there are none.
+TEST(UniformFaces, OfCurvedSurfacesHaveNeighboursAllAround) {
+  const Ball ball;
+  MeshBuilder builder(ball.scene);
+  std::vector<bool> both(2 * ball.scene.polygons.size(), true);
+  builder.add_faces(both, 0.2);
+  const auto neighbours = builder.curved_neighbours();
+  ASSERT_EQ(neighbours.size(), builder.whole_faces());
+  size_t with = 0;
+  for (uint32_t f = 0; f < neighbours.size(); ++f) {
+    if (neighbours[f].empty()) continue;
+    ++with;
+    EXPECT_EQ(neighbours[f].size(), 3u);
+    for (const uint32_t n : neighbours[f]) {
+      EXPECT_EQ(builder.mesh().faces[n].side, builder.mesh().faces[f].side);
+      EXPECT_NE(n, f);
+    }
+  }
+  EXPECT_LE(with, 2u * (2 * 11 * 24 - 2 * 24));
+  EXPECT_GT(with, 900u);  // a seam of the sphere may be torn by rounding
+}
+
 TEST(UniformFaces, NodesHaveTheAreaOfThePolygon) {
   Workbench bench(Ball().scene, 1, 1, Roots::kFaces, 0.2);
   for (const Node& node : bench.nodes->nodes()) {
