@@ -252,7 +252,7 @@ void IndirectPhase::take_out_noise() {
     const uint32_t first = mesh.elements[element].first_child;
     if (first == kNone || !visited[first]) leaves.push_back(element);
   }
-  std::vector<std::vector<NeighbourPair>> pairs = opposite_neighbours(mesh, leaves);
+  std::vector<std::vector<NeighbourPair>> pairs = opposite_neighbours(mesh, leaves, options_.smoothed_up_to);
   const auto is_free = [&](uint32_t v) {
     return !functions_[v].irradiance.empty() && functions_[v].open.empty();
   };

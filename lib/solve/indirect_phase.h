@@ -16,6 +16,7 @@ namespace strad {
 struct IndirectOptions {
   double largest_element = 0.8;    // m
   double smallest_element = 0.05;  // m
+  double smoothed_up_to = 0.4;     // m: neighbours farther apart differ by light more than by noise
   float tolerance = 0;             // W / m^2: of the functions that are kept
   float threshold = 0;  // split while surplus radiance * sqrt(area / total area) exceeds it, W / (sr m^2)
 };

@@ -60,13 +60,15 @@ double usual_bend(const std::vector<std::vector<NeighbourPair>>& pairs,
 }  // namespace
 
 std::vector<std::vector<NeighbourPair>> opposite_neighbours(const Mesh& mesh,
-                                                            const std::vector<uint32_t>& elements) {
+                                                            const std::vector<uint32_t>& elements,
+                                                            double farthest) {
   std::vector<std::vector<uint32_t>> neighbours(mesh.vertices.size());
   for (const uint32_t element : elements) {
     const Element& e = mesh.elements[element];
     const int n = e.corner_count();
     for (int i = 0; i < n; ++i) {
       const uint32_t a = e.vertices[i], b = e.vertices[(i + 1) % n];
+      if (length(mesh.vertices[a].position - mesh.vertices[b].position) > farthest) continue;
       neighbours[a].push_back(b);
       neighbours[b].push_back(a);
     }

@@ -16,9 +16,10 @@ struct NeighbourPair {
   uint32_t a, b;
 };
 
-// By vertex: its pairs along the edges of `elements`.
+// By vertex: its pairs along the edges of `elements`, no farther than `farthest` (m).
 std::vector<std::vector<NeighbourPair>> opposite_neighbours(const Mesh& mesh,
-                                                            const std::vector<uint32_t>& elements);
+                                                            const std::vector<uint32_t>& elements,
+                                                            double farthest);
 
 // Moves each function with pairs half way towards their mean, where it differs from that by no more than
 // noise would over all dates. `function(v)`: to be changed in place. The result does not depend on threads.

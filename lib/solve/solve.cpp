@@ -67,6 +67,7 @@ IndirectOptions indirect_options(double diagonal, double error, double mean, flo
   IndirectOptions options;
   options.largest_element = diagonal / 12;
   options.smallest_element = diagonal / 100;
+  options.smoothed_up_to = diagonal / 20;
   options.threshold = static_cast<float>(error * mean / 8);
   options.tolerance = tolerance;
   return options;

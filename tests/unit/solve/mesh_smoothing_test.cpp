@@ -47,7 +47,7 @@ struct Grid {
     }
   }
   void smoothed() {
-    smooth(opposite_neighbours(mesh, leaves), [&](uint32_t v) -> TightFunction& { return functions[v]; });
+    smooth(opposite_neighbours(mesh, leaves, 1), [&](uint32_t v) -> TightFunction& { return functions[v]; });
   }
   // Rms over vertices and dates of what the functions differ from `light`.
   double error(const std::function<double(Vec3 at, size_t date)>& light) const {
@@ -65,7 +65,8 @@ double noise(uint32_t vertex, size_t date) {
 
 TEST(MeshSmoothing, PairsAreOppositeAndAsFar) {
   const Grid grid([](Vec3, uint32_t, size_t) { return 1.0; });
-  const auto pairs = opposite_neighbours(grid.mesh, grid.leaves);
+  const auto pairs = opposite_neighbours(grid.mesh, grid.leaves, 0.07);
+  EXPECT_TRUE(opposite_neighbours(grid.mesh, grid.leaves, 0.06)[100].empty());  // 1/16 apart
   std::map<size_t, int> vertices_of_pairs;
   for (uint32_t v = 0; v < pairs.size(); ++v) {
     ++vertices_of_pairs[pairs[v].size()];
