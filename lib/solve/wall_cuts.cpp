@@ -96,7 +96,6 @@ bool apart(const Box& a, const Box& b, double tolerance) {
 }
 
 std::optional<Contact> contact_of(const Flat& floor, const Flat& wall, double diagonal) {
-  if (apart(floor.box, wall.box, kTouching * diagonal)) return std::nullopt;
   const Vec3 along = cross(floor.normal, wall.normal);
   if (length(along) < kLeastSine) return std::nullopt;
   const Vec3 direction = normalized(along);
@@ -120,11 +119,26 @@ std::optional<Contact> contact_of(const Flat& floor, const Flat& wall, double di
                  at + end * direction, direction,    std::copysign(0.5 * kTall * diagonal, highest)};
 }
 
-std::vector<Contact> contacts_of(const std::vector<Flat>& flats, double diagonal) {
+// By floor, then by wall.
+std::vector<Contact> contacts_of(std::vector<Flat> flats, double diagonal) {
+  std::sort(flats.begin(), flats.end(), [](const Flat& a, const Flat& b) {
+    return std::pair(a.box.lower.x, a.polygon) < std::pair(b.box.lower.x, b.polygon);
+  });
   std::vector<Contact> contacts;
-  for (const Flat& floor : flats)
-    for (const Flat& wall : flats)
-      if (const auto contact = contact_of(floor, wall, diagonal)) contacts.push_back(*contact);
+  const auto try_pair = [&](const Flat& floor, const Flat& wall) {
+    if (const auto contact = contact_of(floor, wall, diagonal)) contacts.push_back(*contact);
+  };
+  for (size_t i = 0; i < flats.size(); ++i) {
+    const double farthest = flats[i].box.upper.x + kTouching * diagonal;
+    for (size_t j = i + 1; j < flats.size() && flats[j].box.lower.x <= farthest; ++j) {
+      if (apart(flats[i].box, flats[j].box, kTouching * diagonal)) continue;
+      try_pair(flats[i], flats[j]);
+      try_pair(flats[j], flats[i]);
+    }
+  }
+  std::sort(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) {
+    return std::pair(a.floor, a.wall) < std::pair(b.floor, b.wall);
+  });
   return contacts;
 }
 

@@ -1,6 +1,6 @@
 # Floor, ceiling and two walls of a hall are one polygon each; a wall stands across it, as a sheet or 8 cm thick. A lamp
 # lights the one part only: the other is dark, to the last bit, right at the foot of the wall, too. A wall that ends
-# half way lets light around it, and what furniture stands on stays whole.
+# half way lets light around it, and what furniture stands on or a door slides over stays whole.
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
 
@@ -66,6 +66,8 @@ END
 for scene in thin thick half cupboard; do
   strad-import -q $scene.obj | strad-motion -q lamp.motion | strad-solve -q >$scene.strad
 done
+{ cat lamp.motion; printf 'body door\n  parts wall\n  key 0 move 0 0 0\n  key 2 move 1 0 0\n'; } >door.motion
+strad-import -q half.obj | strad-motion -q door.motion | strad-solve -q -e 0.2 >door.strad
 for scene in thin thick half; do
   for direct in pixel mesh; do
     strad-probe -n 5 --direct $direct --points points $scene.strad | awk -v scene="$scene $direct" '
@@ -81,3 +83,4 @@ polygons() { strad-info --json $1.strad | awk -F'[:,]' '/"polygons"/ { print $2 
 [ "$(polygons thin)" = 11 ]
 [ "$(polygons half)" -gt 10 ]
 [ "$(polygons cupboard)" = 11 ]
+[ "$(polygons door)" = 7 ]
