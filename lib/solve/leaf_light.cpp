@@ -13,7 +13,8 @@ namespace {
 // A leaf's noise, some 5 % (10 % of a small face), is averaged over the hundreds that a point sees.
 constexpr int kLeafRays = 128;
 
-constexpr float kLeastOpen = 0.2f;  // a leaf more covered than this is all but unseen
+constexpr float kLeastOpen = 0.2f;   // a leaf more covered than this is all but unseen
+constexpr float kOpenEnough = 0.6f;  // and tells of itself from here on
 
 uint64_t sum_of(const std::vector<uint64_t>& counts) {
   return std::accumulate(counts.begin(), counts.end(), uint64_t{0});
@@ -61,6 +62,55 @@ double total_of(const NodeTree& tree, const LightFunctions& radiance) {
   return total;
 }
 
+// A patch that something stands on, and how much of it is seen at every date.
+struct Covered {
+  uint32_t node;
+  std::vector<float> open;
+};
+
+// How far to believe in what a patch has, by how much of it is open: too few rays tell of a sliver.
+float trust_in(float open) {
+  return std::clamp((open - kLeastOpen) / (kOpenEnough - kLeastOpen), 0.0f, 1.0f);
+}
+
+// Gives slivers the radiance of what is open around them: the foot of a box sees little else.
+void fill_covered(const NodeTree& tree, const std::vector<Covered>& covered, LightFunctions* radiance) {
+  const std::vector<Node>& nodes = tree.nodes();
+  std::vector<const Covered*> of_node(nodes.size(), nullptr);
+  for (const Covered& c : covered) of_node[c.node] = &c;
+  std::vector<std::vector<Rgb>> filled(covered.size());
+  parallel_for(covered.size(), 8, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Covered& own = covered[i];
+      std::vector<uint32_t> around, open_nodes{nodes[own.node].parent};
+      if (open_nodes[0] == kNone || nodes[open_nodes[0]].is_cluster()) continue;
+      while (!open_nodes.empty()) {
+        const Node& node = nodes[open_nodes.back()];
+        const uint32_t index = open_nodes.back();
+        open_nodes.pop_back();
+        if (node.is_leaf() && index != own.node && radiance->has(index)) around.push_back(index);
+        for (uint32_t c = 0; !node.is_leaf() && c < node.child_count; ++c)
+          open_nodes.push_back(node.first_child + c);
+      }
+      filled[i].resize(own.open.size());
+      for (size_t d = 0; d < own.open.size(); ++d) {
+        Rgb sum;
+        float weights = 0;
+        for (const uint32_t n : around) {
+          const float weight = nodes[n].area * (of_node[n] ? trust_in(of_node[n]->open[d]) : 1);
+          sum += weight * radiance->get(n, d);
+          weights += weight;
+        }
+        const float trust = weights > 0 ? trust_in(own.open[d]) : 1;
+        filled[i][d] = trust * radiance->get(own.node, d);
+        if (trust < 1) filled[i][d] += ((1 - trust) / weights) * sum;
+      }
+    }
+  });
+  for (size_t i = 0; i < covered.size(); ++i)
+    for (size_t d = 0; d < filled[i].size(); ++d) radiance->set(covered[i].node, d, filled[i][d]);
+}
+
 // One gather by rays over the radiance of all lights, in place: chunk after chunk, so that a chunk already
 // sees the light of those before it and no second copy is held.
 struct Bounce {
@@ -74,6 +124,8 @@ Bounce bounce(const Workspace& work, const DirectOfLights& direct, LightFunction
   std::vector<uint64_t> rays(lights.size(), 0);
   std::vector<double> reflected_direct(lights.size(), 0.0);
   std::vector<std::vector<Rgb>> reflected(kChunk);
+  std::vector<std::vector<float>> open(kChunk);
+  std::vector<Covered> covered;
   for (size_t first = 0; first < lights.size(); first += kChunk) {
     const size_t count = std::min(kChunk, lights.size() - first);
     parallel_for(count, 8, [&](size_t begin, size_t end) {
@@ -83,18 +135,24 @@ Bounce bounce(const Workspace& work, const DirectOfLights& direct, LightFunction
         GatheredFunction f = gather.over_light(light, &rays[first + i]);
         const std::vector<Rgb> from_direct = direct.irradiance(light, 0, work.grid.cell_count());
         reflected[i] = std::move(f.irradiance);
+        open[i] = std::move(f.open);
         // Means over the leaf become means over what of it is exposed at that date.
         for (size_t d = 0; d < reflected[i].size(); ++d) {
-          const Rgb brdf = (1 / std::max(f.open[d], kLeastOpen)) * surface.brdf;
+          const Rgb brdf = (1 / std::max(open[i][d], kLeastOpen)) * surface.brdf;
           const Rgb once = brdf * from_direct[d];
           reflected_direct[first + i] += surface.area * static_cast<double>(once.r + once.g + once.b);
           reflected[i][d] = once + brdf * reflected[i][d];
         }
       }
     });
-    for (size_t i = 0; i < count; ++i)
-      for (size_t d = 0; d < reflected[i].size(); ++d) radiance->set(lights[first + i], d, reflected[i][d]);
+    for (size_t i = 0; i < count; ++i) {
+      const uint32_t light = lights[first + i];
+      for (size_t d = 0; d < reflected[i].size(); ++d) radiance->set(light, d, reflected[i][d]);
+      if (light < work.tree.nodes().size() && *std::min_element(open[i].begin(), open[i].end()) < kOpenEnough)
+        covered.push_back({light, std::move(open[i])});
+    }
   }
+  fill_covered(work.tree, covered, radiance);
   return {sum_of(rays), std::accumulate(reflected_direct.begin(), reflected_direct.end(), 0.0)};
 }
 
