@@ -14,7 +14,7 @@ namespace {
 constexpr int kLeafRays = 128;
 
 constexpr float kLeastOpen = 0.2f;   // a leaf more covered than this is all but unseen
-constexpr float kOpenEnough = 0.6f;  // and tells of itself from here on
+constexpr float kOpenEnough = 0.4f;  // and tells of itself from here on
 
 uint64_t sum_of(const std::vector<uint64_t>& counts) {
   return std::accumulate(counts.begin(), counts.end(), uint64_t{0});
