@@ -5,7 +5,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "image/srgb.h"
 #include "scene/texture.h"
 #include "solve/mesh.h"
 

@@ -33,14 +33,9 @@ class SeenSides {
  public:
   void clear() { sides_.clear(); }
   // `even`: neither textured nor in the penumbra of an area light.
-  void add(const Sample& sample, bool even) {
-    Side& side = side_of(sample.point.polygon, sample.front);
-    if (!side.known) side = {side.polygon, side.front, true, true, sample.spots, 0, {}};
-    side.even &= even && side.spots == sample.spots;
-  }
+  void add(const Sample& sample, bool even) { noted(sample, even); }
   void add(const Sample& sample, bool even, Rgb radiance) {
-    add(sample, even);
-    Side& side = side_of(sample.point.polygon, sample.front);
+    Side& side = noted(sample, even);
     side.sum += radiance;
     ++side.count;
   }
@@ -59,6 +54,12 @@ class SeenSides {
     uint32_t count = 0;
     Rgb sum;
   };
+  Side& noted(const Sample& sample, bool even) {
+    Side& side = side_of(sample.point.polygon, sample.front);
+    if (!side.known) side = {side.polygon, side.front, true, true, sample.spots, 0, {}};
+    side.even &= even && side.spots == sample.spots;
+    return side;
+  }
   Side& side_of(uint32_t polygon, bool front) {
     for (Side& side : sides_)
       if (side.polygon == polygon && side.front == front) return side;
@@ -172,8 +173,9 @@ void PixelRenderer::sample_inside(int x, int y, uint32_t count, uint32_t rays, P
     }
     const Sample sample = shade(view_, instant, sight, {sum->shadow_points, rays}, shares_.data());
     sum->shadow_points += rays;
-    sum->add(radiance(view_, sample, shares_.data()));
-    if (corners_) seen_.add(sample, is_even(sample, shares_.data()), radiance(view_, sample, shares_.data()));
+    const Rgb value = radiance(view_, sample, shares_.data());
+    sum->add(value);
+    if (corners_) seen_.add(sample, is_even(sample, shares_.data()), value);
   }
 }
 

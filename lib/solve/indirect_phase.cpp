@@ -15,8 +15,6 @@
 namespace strad {
 namespace {
 
-constexpr int kSweeps = 2;  // against noise: each takes out about half
-
 int parent_count(const MeshVertex& vertex) {
   return vertex.parents[0] == kNone ? 0 : vertex.parents[2] == kNone ? 2 : 4;
 }
@@ -144,8 +142,7 @@ void IndirectPhase::run() {
   whole_ = rows_of_whole_faces(
       grid_, builder_, options_.tolerance,
       [&](uint32_t face, uint64_t* rays) { return of_whole_face(face, rays); }, &rays_);
-  for (int sweep = 0; sweep < kSweeps; ++sweep)
-    whole_ = without_noise(grid_, builder_, options_.tolerance, whole_);
+  whole_ = without_noise(grid_, builder_, options_.tolerance, std::move(whole_));
   malloc_trim(0);  // their rays and rows were many small things
   std::vector<uint32_t> level, vertices;
   for (uint32_t f = builder_.whole_faces(); f < mesh.faces.size(); ++f) {
@@ -260,8 +257,7 @@ void IndirectPhase::take_out_noise() {
     std::erase_if(pairs[v], [&](const NeighbourPair& pair) {
       return !is_free(v) || !is_free(pair.a) || !is_free(pair.b);
     });
-  for (int sweep = 0; sweep < kSweeps; ++sweep)
-    smooth(pairs, [&](uint32_t v) -> TightFunction& { return functions_[v].irradiance; });
+  smooth(pairs, [&](uint32_t v) -> TightFunction& { return functions_[v].irradiance; });
 }
 
 // For each vertex the last one whose surplus asks for its function.

@@ -89,22 +89,25 @@ std::vector<std::vector<NeighbourPair>> opposite_neighbours(const Mesh& mesh,
 
 void smooth(const std::vector<std::vector<NeighbourPair>>& pairs,
             const std::function<TightFunction&(uint32_t vertex)>& function) {
-  const double usual = usual_bend(pairs, function);
-  for (const std::vector<uint32_t>& vertices : independent_classes(pairs)) {
-    parallel_for(vertices.size(), 16, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        const std::vector<NeighbourPair>& own_pairs = pairs[vertices[i]];
-        const std::vector<Rgb> own = function(vertices[i]).unpacked();
-        std::vector<Rgb> result = own;
-        const float share = 0.5f / static_cast<float>(std::max<size_t>(2, own_pairs.size()));
-        for (const NeighbourPair& pair : own_pairs) {
-          const std::vector<Rgb> bend = bend_of(own, function(pair.a), function(pair.b));
-          const float part = share * share_of_noise(relative_rms(bend, own), usual);
-          for (size_t d = 0; d < own.size(); ++d) result[d] += part * bend[d];
+  const std::vector<std::vector<uint32_t>> classes = independent_classes(pairs);
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    const double usual = usual_bend(pairs, function);
+    for (const std::vector<uint32_t>& vertices : classes) {
+      parallel_for(vertices.size(), 16, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          const std::vector<NeighbourPair>& own_pairs = pairs[vertices[i]];
+          const std::vector<Rgb> own = function(vertices[i]).unpacked();
+          std::vector<Rgb> result = own;
+          const float share = 0.5f / static_cast<float>(std::max<size_t>(2, own_pairs.size()));
+          for (const NeighbourPair& pair : own_pairs) {
+            const std::vector<Rgb> bend = bend_of(own, function(pair.a), function(pair.b));
+            const float part = share * share_of_noise(relative_rms(bend, own), usual);
+            for (size_t d = 0; d < own.size(); ++d) result[d] += part * bend[d];
+          }
+          function(vertices[i]) = TightFunction(result);
         }
-        function(vertices[i]) = TightFunction(result);
-      }
-    });
+      });
+    }
   }
 }
 

@@ -21,8 +21,9 @@ std::vector<std::vector<NeighbourPair>> opposite_neighbours(const Mesh& mesh,
                                                             const std::vector<uint32_t>& elements,
                                                             double farthest);
 
-// Moves each function with pairs half way towards their mean, where it differs from that by no more than
-// noise would over all dates. `function(v)`: to be changed in place. The result does not depend on threads.
+// Moves each function with pairs half way towards their mean, kSweeps times, where it differs from that by no
+// more than noise would over all dates. `function(v)`: to be changed in place. The result does not depend on
+// threads.
 void smooth(const std::vector<std::vector<NeighbourPair>>& pairs,
             const std::function<TightFunction&(uint32_t vertex)>& function);
 

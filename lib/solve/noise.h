@@ -10,6 +10,8 @@
 
 namespace strad {
 
+constexpr int kSweeps = 2;  // each takes out about half
+
 // Rms of `difference` over all dates in terms of that of `own`.
 inline double relative_rms(const std::vector<Rgb>& difference, const std::vector<Rgb>& own) {
   const auto sum_of_squares = [](const std::vector<Rgb>& values) {

@@ -57,33 +57,60 @@ std::vector<Rgb> bend_of(const TimeGrid& grid, const Field& field, const std::ve
   return bend;
 }
 
-}  // namespace
+void copy_row(const Field& from, uint32_t row, Field* to) {
+  const auto begin = static_cast<std::ptrdiff_t>(from.first_piece[row]),
+             end = static_cast<std::ptrdiff_t>(from.first_piece[row + 1]);
+  to->pieces.insert(to->pieces.end(), from.pieces.begin() + begin, from.pieces.begin() + end);
+  to->coefficients.insert(to->coefficients.end(), from.coefficients.begin() + begin * from.order,
+                          from.coefficients.begin() + end * from.order);
+  to->first_piece.push_back(static_cast<uint32_t>(to->pieces.size()));
+}
 
-Field without_noise(const TimeGrid& grid, const MeshBuilder& builder, float tolerance, const Field& field) {
-  const std::vector<std::vector<uint32_t>> neighbours = builder.curved_neighbours();
-  // The rows of uniform faces come first, one each.
-  std::vector<uint32_t> curved;
-  for (uint32_t f = 0; f < neighbours.size(); ++f)
-    if (!neighbours[f].empty()) curved.push_back(f);
-  const size_t stride = curved.size() / 1000 + 1;
+// What bends usually are, from a thousand faces.
+double usual_bend(const TimeGrid& grid, const Field& field,
+                  const std::vector<std::vector<uint32_t>>& neighbours, const std::vector<uint32_t>& curved) {
   std::vector<double> bends;
-  for (size_t i = 0; i < curved.size(); i += stride) {
+  for (size_t i = 0; i < curved.size(); i += curved.size() / 1000 + 1) {
     const std::vector<Rgb> own = values_of_row(grid, field, curved[i]);
     bends.push_back(relative_rms(bend_of(grid, field, own, neighbours[curved[i]]), own));
   }
-  const double usual = middle_of(&bends);
-  uint64_t rays = 0;
-  const auto smoothed = [&](uint32_t face, uint64_t*) {
-    const auto [first, count] = vertices_of_whole(builder.mesh(), face);
-    std::vector<std::vector<Rgb>> rows;
-    for (uint32_t v = first; v < first + count; ++v) rows.push_back(values_of_row(grid, field, v));
-    if (neighbours[face].empty()) return rows;
-    const std::vector<Rgb> bend = bend_of(grid, field, rows[0], neighbours[face]);
-    const float part = 0.5f * share_of_noise(relative_rms(bend, rows[0]), usual);
-    for (size_t d = 0; d < bend.size(); ++d) rows[0][d] += part * bend[d];
-    return rows;
-  };
-  return rows_of_whole_faces(grid, builder, tolerance, smoothed, &rays);
+  return middle_of(&bends);
+}
+
+}  // namespace
+
+Field without_noise(const TimeGrid& grid, const MeshBuilder& builder, float tolerance, Field field) {
+  constexpr size_t kRows = 1024;  // held in full at once
+  // The rows of uniform faces come first, one each, so a face's number is its row's.
+  const std::vector<std::vector<uint32_t>> neighbours = builder.curved_neighbours();
+  std::vector<uint32_t> curved;
+  for (uint32_t f = 0; f < neighbours.size(); ++f)
+    if (!neighbours[f].empty()) curved.push_back(f);
+  for (int sweep = 0; sweep < kSweeps && !curved.empty(); ++sweep) {
+    const double usual = usual_bend(grid, field, neighbours, curved);
+    Field smoothed;
+    smoothed.order = grid.order;
+    smoothed.expect_rows(2 * builder.mesh().vertices.size());  // as in rows_of_whole_faces
+    for (size_t first = 0; first < curved.size(); first += kRows) {
+      std::vector<std::vector<Rgb>> rows(std::min(kRows, curved.size() - first));
+      parallel_for(rows.size(), 16, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          const uint32_t face = curved[first + i];
+          rows[i] = values_of_row(grid, field, face);
+          const std::vector<Rgb> bend = bend_of(grid, field, rows[i], neighbours[face]);
+          const float part = 0.5f * share_of_noise(relative_rms(bend, rows[i]), usual);
+          for (size_t d = 0; d < bend.size(); ++d) rows[i][d] += part * bend[d];
+        }
+      });
+      for (size_t i = 0; i < rows.size(); ++i) {
+        while (smoothed.row_count() < curved[first + i]) copy_row(field, smoothed.row_count(), &smoothed);
+        append_row(grid, rows[i], {}, tolerance_of(builder, curved[first + i], tolerance), &smoothed);
+      }
+    }
+    while (smoothed.row_count() < field.row_count()) copy_row(field, smoothed.row_count(), &smoothed);
+    field = std::move(smoothed);
+  }
+  return field;
 }
 
 }  // namespace strad

@@ -25,7 +25,7 @@ Field rows_of_whole_faces(const TimeGrid& grid, const MeshBuilder& builder, floa
                           const FindWhole& find, uint64_t* rays);
 
 // The same field with the rows of uniform faces on curved surfaces moved half way towards the mean of those
-// around them, where that differs by no more than noise.
-Field without_noise(const TimeGrid& grid, const MeshBuilder& builder, float tolerance, const Field& field);
+// around them, kSweeps times, where that differs by no more than noise. Other rows stay as they are.
+Field without_noise(const TimeGrid& grid, const MeshBuilder& builder, float tolerance, Field field);
 
 }  // namespace strad
