@@ -34,8 +34,8 @@ struct ExportBody {
 
 // Bodies in their order, without those that have no polygons. Leaves that smaller leaves touch are cut about
 // their centre so that no edge has a corner in its middle; so are quads that two triangles would show
-// wrongly, those that share no corners into quarters first. Both sides of a polygon are
-// given when its back is lit too, the back lifted by export_lift.
+// wrongly, those that share no corners into quarters first. Both sides of a polygon are given when its back
+// is lit too, the back lifted by export_lift.
 std::vector<ExportBody> export_mesh(const Scene& scene, const Slab& slab, ExportLight light);
 
 // m: 2e-6 of the scene's diagonal. Between the two sides of a polygon, and between a lamp and the polygon it

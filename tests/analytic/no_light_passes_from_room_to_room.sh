@@ -1,24 +1,12 @@
 # Two rooms share one wall without thickness; a bright light sweeps the east room, a dim one stands in the west room.
 # What the west room has with the bright light on is, to a 300th of the east room's light, what it has without:
 # nothing comes through the wall, under it or round its edges. So is what it has with the bright light alone: nothing.
+source "$STRAD_SOURCE_DIR/tests/analytic/hall.bash"
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
 
-cat >rooms.mtl <<'END'
-newmtl white
-Kd 0.8 0.8 0.8
-END
-cat >rooms.obj <<'END'
-mtllib rooms.mtl
-usemtl white
-v 0 0 0
-v 4 0 0
-v 4 3 0
-v 0 3 0
-v 0 0 2.5
-v 4 0 2.5
-v 4 3 2.5
-v 0 3 2.5
+begin_hall rooms >rooms.obj
+cat >>rooms.obj <<'END'
 v 1.37 0 0
 v 1.37 3 0
 v 1.37 3 2.5

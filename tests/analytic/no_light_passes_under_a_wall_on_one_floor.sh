@@ -1,21 +1,11 @@
 # Floor, ceiling and two walls of a hall are one polygon each; a wall stands across it, as a sheet or 8 cm thick. A lamp
 # lights the one part only: the other is dark, to the last bit, right at the foot of the wall, too. A wall that ends
 # half way lets light around it, and what furniture stands on or a door slides over stays whole.
+source "$STRAD_SOURCE_DIR/tests/analytic/hall.bash"
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
 
-echo 'newmtl white
-Kd 0.8 0.8 0.8' >hall.mtl
-hall='mtllib hall.mtl
-usemtl white
-v 0 0 0
-v 4 0 0
-v 4 3 0
-v 0 3 0
-v 0 0 2.5
-v 4 0 2.5
-v 4 3 2.5
-v 0 3 2.5
+hall="$(begin_hall hall)
 o hall
 f 1 2 3 4
 f 5 8 7 6
@@ -23,7 +13,7 @@ f 1 5 6 2
 f 3 7 8 4
 f 2 6 7 3
 f 4 8 5 1
-o wall'
+o wall"
 sheet() {  # sheet X LENGTH: across the hall
   printf 'v %s 0 0\nv %s %s 0\nv %s %s 2.5\nv %s 0 2.5\n' "$1" "$1" "$2" "$1" "$2" "$1"
 }
