@@ -1,8 +1,8 @@
 // strad-frame: frames of a solved stream, as pictures, for POV-Ray or as PLY meshes.
 #include <cmath>
 
+#include "export/write_frames.h"
 #include "frame/frame_list.h"
-#include "frame/write_frames.h"
 #include "tool.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // strad-import: an OBJ scene, or a POV-Ray one, to a scene stream.
-#include "scene/import.h"
-#include "scene/import_obj.h"
-#include "scene/import_pov.h"
+#include "import/import.h"
+#include "import/obj/obj.h"
+#include "import/pov/pov.h"
 #include "tool.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // strad-info: what is in a stream, as text or JSON.
 #include <iostream>
 
-#include "solve/facts.h"
+#include "solution/facts.h"
 #include "tool.h"
 
 namespace strad {

@@ -1,5 +1,5 @@
 // strad-join: solutions of one scene over adjacent slabs of time, made one.
-#include "solve/join.h"
+#include "solution/join.h"
 #include "tool.h"
 
 namespace strad {

@@ -1,7 +1,7 @@
 // Compiles a motion file onto a scene stream: bodies, spotlights, glows, cameras, interval and rate.
-#include "scene/import_text.h"
+#include "base/text.h"
 #include "scene/motion_text.h"
-#include "solve/slab_work.h"
+#include "solution/slab_work.h"
 #include "tool.h"
 
 namespace {

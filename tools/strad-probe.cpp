@@ -1,10 +1,10 @@
 // strad-probe: radiance and irradiance at points of surfaces over time, as a table.
 #include <optional>
 
+#include "base/text.h"
 #include "frame/frame_list.h"
 #include "frame/probe_text.h"
-#include "scene/import_text.h"
-#include "solve/solution_file.h"
+#include "solution/solution_file.h"
 #include "tool.h"
 
 namespace {

@@ -1,8 +1,8 @@
 // The space-time solve: adds the light of the whole animation to the stream.
-#include "solve/slab_work.h"
+#include "solution/slab_work.h"
+#include "solve/prepare/wall_cuts.h"
 #include "solve/solve.h"
 #include "solve/stats_text.h"
-#include "solve/wall_cuts.h"
 #include "tool.h"
 
 namespace {
@@ -52,7 +52,7 @@ int solve(const SolveArguments& a) {
   strad::Solution solution;
   solution.slabs.push_back(strad::solve(stream.scene, a.solve, &stats, strad::progress_bar(a.common)));
   strad::drop_work(&stream.others);
-  stream.others.push_back(strad::encode_work(solution.slabs.back(), stats));
+  stream.others.push_back(strad::encode_work(strad::work_of(solution.slabs.back(), stats)));
   stream.solution = std::move(solution);
   strad::write_stream(std::move(stream), a.provenance, a.common);
   if (!a.stats.empty()) strad::write_text_file(a.stats, strad::stats_as_json(stats));

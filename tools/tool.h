@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/error.h"
-#include "solve/solution_file.h"
-#include "solve/stream_io.h"
+#include "solution/solution_file.h"
+#include "solution/stream_io.h"
 #include "stream/output_file.h"
 #include "tool_options.h"
 
@@ -25,7 +25,7 @@ int run_tool(const std::string& name, const std::function<int()>& body);
 // One line "NAME: note" on standard error unless `common.quiet`. REQUIRES: inside run_tool.
 void note(const Common& common, const std::string& text);
 
-// Reading is read_stream(path) of solve/stream_io.h. Writing appends `provenance` to the stream's, then
+// Reading is read_stream(path) of solution/stream_io.h. Writing appends `provenance` to the stream's, then
 // writes to common.output; throws BadInput rather than writing to a terminal.
 void write_stream(Stream stream, const std::string& provenance, const Common& common);
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "frame/reconstruction.h"
-#include "solve/solution.h"
+#include "solution/solution.h"
 
 namespace strad {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "solve/solution.h"
+#include "solution/solution.h"
 
 namespace strad {
 

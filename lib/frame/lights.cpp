@@ -6,7 +6,7 @@
 
 #include "base/rng.h"
 #include "frame/sobol.h"
-#include "solve/mesh.h"
+#include "scene/polygon_geometry.h"
 
 namespace strad {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "solve/mesh.h"
+#include "solution/mesh.h"
 
 namespace strad {
 namespace {

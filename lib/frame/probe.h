@@ -10,7 +10,7 @@
 #include "frame/reconstruction.h"
 #include "frame/surfaces.h"
 #include "light/tracer.h"
-#include "solve/solution.h"
+#include "solution/solution.h"
 
 namespace strad {
 

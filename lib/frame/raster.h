@@ -11,7 +11,7 @@
 #include "image/image.h"
 #include "light/tracer.h"
 #include "scene/scene.h"
-#include "solve/solution.h"
+#include "solution/solution.h"
 
 namespace strad {
 

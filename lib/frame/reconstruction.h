@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/rgb.h"
-#include "solve/mesh.h"
+#include "solution/mesh.h"
 
 namespace strad {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "frame/export_mesh.h"
+#include "scene/texture.h"
 #include "scene/trajectory.h"
 
 namespace strad {

@@ -7,7 +7,7 @@
 
 #include "frame/surface_samples.h"
 #include "image/metrics.h"
-#include "solve/solution.h"
+#include "solution/solution.h"
 
 namespace strad {
 

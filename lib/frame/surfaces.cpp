@@ -1,7 +1,7 @@
 #include "frame/surfaces.h"
 
 #include "scene/texture.h"
-#include "solve/mesh.h"
+#include "solution/mesh.h"
 
 namespace strad {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "scene/import_text.h"
+#include "base/text.h"
 #include "scene/motion_keys.h"
 #include "scene/motion_words.h"
 

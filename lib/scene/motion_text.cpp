@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "base/error.h"
-#include "scene/import_text.h"
+#include "base/text.h"
 #include "scene/motion_blocks.h"
 #include "scene/motion_words.h"
 

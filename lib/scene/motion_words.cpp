@@ -2,7 +2,7 @@
 #include "scene/motion_words.h"
 
 #include "base/error.h"
-#include "scene/import_text.h"
+#include "base/text.h"
 
 namespace strad {
 namespace {

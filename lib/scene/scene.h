@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "base/none.h"
 #include "base/pose.h"
 #include "base/rgb.h"
 #include "base/vec.h"
 
 namespace strad {
-
-constexpr uint32_t kNone = 0xffffffffu;
 
 // Texture of a material's reflectance, 8-bit sRGB, rows from the top.
 struct Texture {

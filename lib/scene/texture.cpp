@@ -87,4 +87,14 @@ Vec2 texture_uv(const Scene& scene, const Polygon& polygon, Vec2 at) {
   return {w0 * a.x + w1 * b.x + w2 * c.x + w3 * d.x, w0 * a.y + w1 * b.y + w2 * c.y + w3 * d.y};
 }
 
+std::vector<Rgb> textured_reflectances(const Scene& scene) {
+  std::vector<Rgb> reflectances;
+  for (const Material& material : scene.materials) {
+    Rgb reflectance = material.reflectance;
+    if (material.texture != kNone) reflectance = reflectance * mean_colour(scene.textures[material.texture]);
+    reflectances.push_back(reflectance);
+  }
+  return reflectances;
+}
+
 }  // namespace strad

@@ -18,6 +18,9 @@ Vec2 texture_uv(const Scene& scene, const Polygon& polygon, Vec2 at);
 Rgb mean_colour(const Texture& texture);
 Rgb mean_colour(const Scene& scene, const Polygon& polygon, const Texture& texture);
 
+// Of all materials: their reflectance with the mean of their texture multiplied in.
+std::vector<Rgb> textured_reflectances(const Scene& scene);
+
 inline bool has_texture(const Scene& scene, const Polygon& polygon) {
   return scene.materials[polygon.material].texture != kNone && polygon.uvs[0] != kNone;
 }

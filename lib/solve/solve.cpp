@@ -9,14 +9,14 @@
 #include <ctime>
 
 #include "base/error.h"
-#include "solve/direct_phase.h"
-#include "solve/final_gather.h"
-#include "solve/indirect_phase.h"
-#include "solve/leaf_light.h"
-#include "solve/link_light.h"
-#include "solve/mean_reflectance.h"
-#include "solve/power.h"
-#include "solve/reach.h"
+#include "solve/direct/direct_phase.h"
+#include "solve/gather/final_gather.h"
+#include "solve/gather/indirect_phase.h"
+#include "solve/gather/leaf_light.h"
+#include "solve/links/link_light.h"
+#include "solve/prepare/mean_reflectance.h"
+#include "solve/prepare/power.h"
+#include "solve/prepare/reach.h"
 
 namespace strad {
 namespace {
@@ -181,6 +181,19 @@ Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, c
   all.into(&out.total);
   measure(slab, &out);
   return slab;
+}
+
+SlabWork work_of(const Slab& slab, const SolveStats& stats) {
+  const PhaseStats& total = stats.total;
+  return {slab_begin(slab),
+          slab_end(slab),
+          stats.clusters,
+          total.links,
+          total.links_refined_in_time,
+          total.links_refined_in_space,
+          total.kernel_evaluations,
+          total.rays,
+          static_cast<uint64_t>(stats.iterations)};
 }
 
 }  // namespace strad

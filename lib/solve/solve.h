@@ -1,12 +1,12 @@
 // The space-time solve: light transport for a whole animation at once.
 #pragma once
 
-#include <functional>
 #include <optional>
-#include <string>
 
+#include "base/progress.h"
 #include "scene/scene.h"
-#include "solve/solution.h"
+#include "solution/slab_work.h"
+#include "solution/solution.h"
 
 namespace strad {
 
@@ -36,11 +36,11 @@ struct SolveStats {
   double residual = 0;
 };
 
-// Fraction done in [0, 1] and what is being done.
-using Progress = std::function<void(double, const std::string&)>;
-
 // Throws BadInput for options out of range. Equal input gives equal results for any number of threads.
 Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats = nullptr,
            const Progress& progress = {});
+
+// What is told of the solve along with its slab.
+SlabWork work_of(const Slab& slab, const SolveStats& stats);
 
 }  // namespace strad

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/rng.h"
-#include "solve/stream_io.h"
+#include "solution/stream_io.h"
 
 namespace strad {
 namespace {

@@ -12,7 +12,7 @@ only() {  # only PATTERN FILES-PATTERN
   fi
 }
 only 'embree3/' 'lib/light/*.cpp'
-only 'tiny_obj_loader' 'lib/scene/import_obj*.cpp'
+only 'tiny_obj_loader' 'lib/import/obj/*.cpp'
 only 'OpenImageIO/' 'lib/image/module/*.cpp'
 only 'OpenEXR/' 'lib/image/*.cpp'
 only 'png\.h' 'lib/image/*.cpp'

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "scene/scene.h"
-#include "solve/solution.h"
+#include "solution/solution.h"
 
 namespace strad {
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/rng.h"
-#include "solve/transport.h"
+#include "solve/links/transport.h"
 #include "transport_bench.h"
 
 namespace strad {

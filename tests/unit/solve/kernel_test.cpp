@@ -1,5 +1,5 @@
 // Kernels of links against form factors, and what they tell of time.
-#include "solve/kernel.h"
+#include "solve/links/kernel.h"
 
 #include <gtest/gtest.h>
 

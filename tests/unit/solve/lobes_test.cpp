@@ -1,5 +1,5 @@
 // Six lobes: no power lost, boxes along the axes exact.
-#include "solve/lobes.h"
+#include "solve/links/lobes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A picture on several polygons is a mean for each, and a lamp keeps its material.
-#include "solve/mean_reflectance.h"
+#include "solve/prepare/mean_reflectance.h"
 
 #include <gtest/gtest.h>
 

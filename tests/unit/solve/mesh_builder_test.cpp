@@ -1,5 +1,5 @@
 // The mesh as it grows: shared vertices, hanging ones, no tears.
-#include "solve/mesh_builder.h"
+#include "solve/mesh/mesh_builder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Smoothing takes out noise and leaves light: what is linear stays, an edge stays, noise shrinks.
-#include "solve/mesh_smoothing.h"
+#include "solve/mesh/mesh_smoothing.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 
 #include "base/rng.h"
-#include "solve/mesh_builder.h"
+#include "solve/mesh/mesh_builder.h"
 #include "workbench.h"
 
 namespace strad {

@@ -1,5 +1,5 @@
 // The hierarchy as it is split: every face in one place, areas and lobes kept, samples on surfaces.
-#include "solve/nodes.h"
+#include "solve/links/nodes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which sides light reaches: dark insides, lit rooms however they are wound.
-#include "solve/reach.h"
+#include "solve/prepare/reach.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "solve/direct_phase.h"
-#include "solve/refinement.h"
+#include "solve/direct/direct_phase.h"
+#include "solve/links/refinement.h"
 #include "workbench.h"
 
 namespace strad {

@@ -1,6 +1,6 @@
 // Which links the oracle makes: every exchange once, finer for smaller errors, split in time only for
 // geometry.
-#include "solve/refinement.h"
+#include "solve/links/refinement.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "solve/transport.h"
+#include "solve/links/transport.h"
 #include "workbench.h"
 
 namespace strad {

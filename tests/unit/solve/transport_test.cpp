@@ -1,5 +1,5 @@
 // Propagation along links between patches against closed forms.
-#include "solve/transport.h"
+#include "solve/links/transport.h"
 
 #include <gtest/gtest.h>
 

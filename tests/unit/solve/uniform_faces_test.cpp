@@ -5,10 +5,10 @@
 #include <array>
 #include <map>
 
-#include "frame/export_mesh.h"
-#include "solve/mesh_builder.h"
-#include "solve/mesh_io.h"
-#include "solve/solution.h"
+#include "export/mesh.h"
+#include "solution/mesh_io.h"
+#include "solution/solution.h"
+#include "solve/mesh/mesh_builder.h"
 #include "workbench.h"
 
 namespace strad {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../light/light_test_scene.h"
-#include "solve/kernel.h"
+#include "solve/links/kernel.h"
 
 namespace strad {
 

@@ -6,8 +6,8 @@
 #include <iomanip>
 
 #include "base/error.h"
-#include "solve/mesh_builder.h"
-#include "solve/stream_io.h"
+#include "solution/stream_io.h"
+#include "solve/mesh/mesh_builder.h"
 
 namespace strad {
 namespace {

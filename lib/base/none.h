@@ -1,0 +1,10 @@
+// The index that stands for nothing.
+#pragma once
+
+#include <cstdint>
+
+namespace strad {
+
+constexpr uint32_t kNone = 0xffffffffu;
+
+}  // namespace strad

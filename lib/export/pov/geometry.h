@@ -1,0 +1,50 @@
+// What is written once for POV-Ray: bodies as meshes with a texture at each corner, pigments, image maps.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "export/mesh.h"
+#include "export/pov/text.h"
+#include "scene/scene.h"
+
+namespace strad {
+
+// How a corner's light becomes POV-Ray's pigment and emission. POV-Ray shows pigment * emission, plus, where
+// lights are its own, pigment * diffuse * light. So a frame holds for each corner
+//   baked, without image:  the radiance; the pigment is this value and the emission 1
+//   else:                  radiance / pigment (E / pi where nothing is emitted); the emission is this value
+class PovShading {
+ public:
+  PovShading(const Scene& scene, bool baked);  // keeps a reference
+
+  Rgb value(const ExportCorner& corner, Rgb irradiance, float glow) const;
+  bool baked() const { return baked_; }
+  // The pigment is the material's image. Not where a material emits: the image may be black there.
+  bool has_image(const ExportCorner& corner) const { return corner.textured && image_of(corner.material); }
+  bool image_of(size_t material) const;
+  // The pigment is the material's, and not the value in a frame.
+  bool has_pigment(const ExportCorner& corner) const { return !baked_ || has_image(corner); }
+  Rgb pigment(size_t material) const { return pigment_[material]; }
+
+ private:
+  const Scene& scene_;
+  bool baked_;
+  std::vector<Rgb> textured_reflectance_, pigment_;  // per material
+};
+
+// What the names in the files are made of: per body, per material; "" for materials without an image file.
+struct PovIdentifiers {
+  std::vector<std::string> bodies, materials, image_files;
+};
+
+// Appends the finish and the pigments of all materials.
+void write_pigments(const Scene& scene, const PovShading& shading, const PovIdentifiers& names, PovText* out);
+
+// Appends the declaration of strad_body_NAME, which expects strad_radiance_NAME.
+void write_body(const PovShading& shading, const ExportBody& body, const PovIdentifiers& names, PovText* out);
+
+// A material's reflectance times its texture as PPM, 16 bits a channel, linear.
+std::string pov_image(const Scene& scene, const Material& material);
+
+}  // namespace strad

@@ -1,0 +1,17 @@
+// The materials that an OBJ file names, out of its MTL files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "import/obj/scan.h"
+
+namespace strad {
+
+// Fills the materials of `scene`, one for each of scan.materials in that order, and their textures. `path` is
+// the OBJ file's. Throws IoError or BadInput, also where a file or a material is missing, unless
+// options.skip_missing.
+void load_obj_materials(const ObjScan& scan, const std::string& path, const ImportOptions& options,
+                        ImportReport* report, Scene* scene);
+
+}  // namespace strad

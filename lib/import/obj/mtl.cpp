@@ -1,0 +1,172 @@
+// Materials of MTL files.
+#include "import/obj/mtl.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/text.h"
+#include "import/obj/parse.h"
+
+namespace strad {
+namespace {
+
+// Of a texture statement: how many words follow the option; -1: one to three numbers.
+struct TextureOption {
+  std::string_view name;
+  int words;
+};
+constexpr std::array<TextureOption, 14> kTextureOptions{{{"-blendu", 1},
+                                                         {"-blendv", 1},
+                                                         {"-boost", 1},
+                                                         {"-bm", 1},
+                                                         {"-cc", 1},
+                                                         {"-clamp", 1},
+                                                         {"-colorspace", 1},
+                                                         {"-imfchan", 1},
+                                                         {"-mm", 2},
+                                                         {"-texres", 1},
+                                                         {"-type", 1},
+                                                         {"-o", -1},
+                                                         {"-s", -1},
+                                                         {"-t", -1}}};
+
+class MtlScanner {
+ public:
+  MtlScanner(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+  std::vector<MtlMaterial> run();
+
+ private:
+  void statement(std::string_view word, std::string_view rest);
+  void property(std::string_view word, std::string_view rest);
+  std::array<float, 3> colour(std::string_view word, std::string_view rest) const;
+  float number(std::string_view word, std::string_view rest) const;
+  void put_colour(std::string_view word, std::string_view rest);
+  void texture(std::string_view rest);
+  void ignore(const std::string& what) { materials_.back().ignored.push_back({what, lines_.number()}); }
+
+  LineReader lines_;
+  const std::string& name_;
+  std::string clean_;
+  std::vector<MtlMaterial> materials_;
+};
+
+float MtlScanner::number(std::string_view word, std::string_view rest) const {
+  const std::string_view text = next_word(&rest);
+  const auto value = number_in(text);
+  if (!value)
+    fail_at(name_, lines_.number(),
+            std::string(word) + ": found " + in_quotes(text) + ", expected a finite number");
+  return static_cast<float>(*value);
+}
+
+// One number stands for all three.
+std::array<float, 3> MtlScanner::colour(std::string_view word, std::string_view rest) const {
+  std::array<float, 3> rgb{};
+  size_t count = 0;
+  for (std::string_view text = next_word(&rest); !text.empty() && !text.starts_with('#');
+       text = next_word(&rest)) {
+    if (count == 0 && (text == "spectral" || text == "xyz"))
+      fail_at(name_, lines_.number(),
+              std::string(word) + " " + std::string(text) + " is not supported, expected R G B");
+    const float value = number(word, text);
+    if (!(value >= 0))
+      fail_at(name_, lines_.number(), std::string(word) + " " + std::string(text) + " is negative");
+    if (count < 3) rgb[count] = value;
+    ++count;
+  }
+  if (count == 1) return {rgb[0], rgb[0], rgb[0]};
+  if (count != 3)
+    fail_at(name_, lines_.number(),
+            std::string(word) + " has " + std::to_string(count) + " numbers, expected R G B");
+  return rgb;
+}
+
+void MtlScanner::put_colour(std::string_view word, std::string_view rest) {
+  clean_.append(word);
+  for (const float channel : colour(word, rest)) {
+    std::array<char, 32> digits;
+    const auto end = std::snprintf(digits.data(), digits.size(), " %.9g", static_cast<double>(channel));
+    clean_.append(digits.data(), static_cast<size_t>(end));
+  }
+  clean_.append("\n");
+}
+
+// map_Kd [options] name: the name is all that follows, blanks and all.
+void MtlScanner::texture(std::string_view rest) {
+  rest = trimmed(rest);
+  while (rest.starts_with('-')) {
+    std::string_view after = rest;
+    const std::string_view word = next_word(&after);
+    const auto option = std::find_if(kTextureOptions.begin(), kTextureOptions.end(),
+                                     [&](const TextureOption& known) { return known.name == word; });
+    if (option == kTextureOptions.end()) break;
+    const int most = option->words < 0 ? 3 : option->words;
+    for (int i = 0; i < most; ++i) {
+      std::string_view behind = after;
+      if (option->words < 0 && !number_in(next_word(&behind))) break;
+      next_word(&after);
+    }
+    ignore("map_Kd option " + std::string(word) + " is ignored");
+    rest = trimmed(after);
+  }
+  if (rest.empty()) fail_at(name_, lines_.number(), "map_Kd names no file");
+  materials_.back().texture = rest;
+  materials_.back().texture_line = lines_.number();
+}
+
+void MtlScanner::property(std::string_view word, std::string_view rest) {
+  if (word == "Kd" || word == "Ke") {
+    put_colour(word, rest);
+    if (word == "Kd") materials_.back().reflectance_line = lines_.number();
+  } else if (word == "map_Kd") {
+    texture(rest);
+  } else if (word == "map_Ke") {
+    ignore("map_Ke is ignored: a material emits evenly");
+  } else if (word == "Ks") {
+    const auto rgb = colour(word, rest);
+    if (*std::max_element(rgb.begin(), rgb.end()) > 0) ignore("Ks is ignored: surfaces are diffuse");
+  } else if ((word == "d" && rest.find("-halo") == rest.npos && number(word, rest) < 1) ||
+             (word == "Tr" && number(word, rest) > 0) || word == "map_d") {
+    ignore(std::string(word) + " is ignored: surfaces are opaque");
+  }
+}
+
+void MtlScanner::statement(std::string_view word, std::string_view rest) {
+  if (word != "newmtl") {
+    if (materials_.empty())
+      fail_at(name_, lines_.number(), "found " + in_quotes(word) + ", expected newmtl before all else");
+    return property(word, rest);
+  }
+  std::string name;
+  for (std::string_view part = next_word(&rest); !part.empty(); part = next_word(&rest))
+    name.append(name.empty() ? "" : " ").append(part);
+  if (name.empty()) fail_at(name_, lines_.number(), "newmtl has no name");
+  clean_ += "newmtl " + std::to_string(materials_.size()) + "\n";
+  MtlMaterial& material = materials_.emplace_back();
+  material.name = name;
+  material.file = name_;
+  material.line = lines_.number();
+}
+
+std::vector<MtlMaterial> MtlScanner::run() {
+  while (lines_.next()) {
+    std::string_view rest = lines_.line();
+    const std::string_view word = next_word(&rest);
+    if (!word.empty() && !word.starts_with('#')) statement(word, rest);
+  }
+  const std::vector<ParsedMaterial> parsed = parse_clean_mtl(clean_, materials_.size());
+  for (size_t i = 0; i < materials_.size(); ++i) {
+    materials_[i].reflectance = parsed[i].reflectance;
+    materials_[i].emission = parsed[i].emission;
+  }
+  return std::move(materials_);
+}
+
+}  // namespace
+
+std::vector<MtlMaterial> read_mtl(const std::string& path) {
+  const std::string text = read_text(path), name = text_name(path);
+  return MtlScanner(text, name).run();
+}
+
+}  // namespace strad

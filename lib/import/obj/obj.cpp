@@ -1,0 +1,105 @@
+// OBJ files as scenes.
+#include "import/obj/obj.h"
+
+#include "base/error.h"
+#include "base/text.h"
+#include "import/obj/materials.h"
+#include "import/obj/parse.h"
+#include "import/obj/scan.h"
+#include "import/polygonize.h"
+
+namespace strad {
+namespace {
+
+// Adds the faces of an OBJ file to a scene, as planar convex polygons.
+class FaceAdder {
+ public:
+  FaceAdder(const ParsedObj& obj, const ObjScan& scan, std::string name, ImportReport* report, Scene* scene)
+      : obj_(obj), scan_(scan), name_(std::move(name)), report_(report), scene_(scene) {}
+  void add(size_t face_number);
+
+ private:
+  Polygon polygon_of(const ParsedObj::Face& face, const Piece& piece) const;
+  const ParsedObj& obj_;
+  const ObjScan& scan_;
+  const std::string name_;
+  ImportReport* report_;
+  Scene* scene_;
+  std::vector<Vec3> outline_;
+  std::vector<Piece> pieces_;
+};
+
+Polygon FaceAdder::polygon_of(const ParsedObj::Face& face, const Piece& piece) const {
+  Polygon polygon;
+  polygon.material = face.material;
+  polygon.object = face.object;
+  const ParsedObj::Corner* corners = &obj_.corners[face.first_corner];
+  const bool textured = scene_->materials[face.material].texture != kNone;
+  bool all_have_uvs = textured;
+  for (uint32_t k = 0; k < face.corner_count; ++k) all_have_uvs = all_have_uvs && corners[k].uv != kNone;
+  for (int k = 0; k < 4 && piece.corners[k] >= 0; ++k) {
+    polygon.corners[k] = corners[piece.corners[k]].vertex;
+    if (all_have_uvs) polygon.uvs[k] = corners[piece.corners[k]].uv;
+  }
+  return polygon;
+}
+
+void FaceAdder::add(size_t face_number) {
+  const ParsedObj::Face& face = obj_.faces[face_number];
+  const uint32_t line = scan_.face_lines[face_number];
+  outline_.clear();
+  pieces_.clear();
+  for (uint32_t k = 0; k < face.corner_count; ++k)
+    outline_.push_back(obj_.vertices[obj_.corners[face.first_corner + k].vertex]);
+  const Outline kind = polygonize(outline_, &pieces_);
+  if (kind == Outline::kDegenerate) report_->add("degenerate face left out", name_, line);
+  if (kind == Outline::kCrossing) report_->add("face that crosses itself left out in part", name_, line);
+  for (const Piece& piece : pieces_) {
+    scene_->polygons.push_back(polygon_of(face, piece));
+    if (scene_->materials[face.material].texture != kNone && scene_->polygons.back().uvs[0] == kNone)
+      report_->add("face of a material with map_Kd has no texture coordinates", name_, line);
+  }
+}
+
+// Materials and objects that no polygon uses are dropped.
+void drop_unused_names(Scene* scene) {
+  std::vector<uint32_t> material_at(scene->materials.size(), kNone), object_at(scene->objects.size(), kNone);
+  for (const Polygon& polygon : scene->polygons)
+    material_at[polygon.material] = object_at[polygon.object] = 0;
+  const auto compact = [](auto* items, std::vector<uint32_t>* place) {
+    uint32_t kept = 0;
+    for (size_t i = 0; i < place->size(); ++i) {
+      if ((*place)[i] == kNone) continue;
+      if (kept != i) (*items)[kept] = std::move((*items)[i]);
+      (*place)[i] = kept++;
+    }
+    items->resize(kept);
+  };
+  compact(&scene->materials, &material_at);
+  compact(&scene->objects, &object_at);
+  for (Polygon& polygon : scene->polygons) {
+    polygon.material = material_at[polygon.material];
+    polygon.object = object_at[polygon.object];
+  }
+}
+
+}  // namespace
+
+Scene import_obj(const std::string& path, const ImportOptions& options, ImportReport* report) {
+  const std::string name = text_name(path);
+  const ObjScan scan = scan_obj(read_text(path), name, options, report);
+  Scene scene;
+  load_obj_materials(scan, path, options, report, &scene);
+  ParsedObj obj = parse_clean_obj(scan.clean);
+  if (obj.vertices.size() != scan.vertex_count || obj.faces.size() != scan.face_lines.size())
+    throw BadInput(name + ": tinyobjloader lost vertices or faces");
+  for (const ObjScan::Named& object : scan.objects) scene.objects.push_back({object.name, 0});
+  FaceAdder adder(obj, scan, name, report, &scene);
+  for (size_t face = 0; face < obj.faces.size(); ++face) adder.add(face);
+  drop_unused_names(&scene);
+  scene.vertices = std::move(obj.vertices);
+  scene.uvs = std::move(obj.uvs);
+  return finish_import(std::move(scene), options, name);
+}
+
+}  // namespace strad

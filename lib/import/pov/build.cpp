@@ -1,0 +1,181 @@
+// What a POV-Ray file describes, put into a scene: surfaces, materials, the camera.
+#include "import/pov/build.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "image/files.h"
+#include "image/srgb.h"
+#include "import/polygonize.h"
+
+namespace strad {
+
+void PovBuilder::refuse(const PovProblem& problem) {
+  if (!options_.skip_unknown)
+    fail_at(problem.place.file, problem.place.line, problem.what + " is not supported");
+  report_->add(problem.what + " left out", problem.place.file, problem.place.line);
+}
+
+std::string PovBuilder::unique(const std::string& name, std::map<std::string, int>* uses) {
+  const int use = ++(*uses)[name];
+  return use == 1 ? name : name + "_" + std::to_string(use);
+}
+
+uint32_t PovBuilder::vertex(Vec3 p) {
+  const auto rounded = [](double x) { return static_cast<float>(x) + 0.0f; };  // as streams hold them, no -0
+  p = placed(p);
+  const std::tuple key{rounded(p.x), rounded(p.y), rounded(p.z)};
+  const auto [found, is_new] = vertices_.insert({key, static_cast<uint32_t>(scene_.vertices.size())});
+  if (is_new) scene_.vertices.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key)});
+  return found->second;
+}
+
+uint32_t PovBuilder::uv(Vec2 p) {
+  scene_.uvs.push_back(p);
+  return static_cast<uint32_t>(scene_.uvs.size() - 1);
+}
+
+uint32_t PovBuilder::texture_of(const PovImage& image, const PovPlace& place) {
+  if (const auto known = textures_.find(image.path); known != textures_.end()) return known->second;
+  if (!std::filesystem::exists(image.path)) {
+    const std::string what = "image " + in_quotes(image.path, image.path.size()) + " is missing";
+    if (!options_.skip_missing) fail_at(image.place.file, image.place.line, what);
+    report_->add(what + ": left out", place.file, place.line);
+    return textures_[image.path] = kNone;
+  }
+  try {
+    SrgbImage picture;
+    if (image.linear) {
+      // Its numbers are light, but were taken to be on the sRGB curve.
+      const Image loaded = load_image(image.path);
+      picture.width = loaded.width;
+      picture.height = loaded.height;
+      for (const Rgb pixel : loaded.pixels)
+        for (int c = 0; c < 3; ++c) picture.bytes.push_back(srgb_byte(srgb_from_linear(pixel[c])));
+    } else {
+      picture = load_srgb_image(image.path);
+    }
+    scene_.textures.push_back({image.name, picture.width, picture.height, std::move(picture.bytes)});
+  } catch (const std::exception& error) {
+    fail_at(image.place.file, image.place.line, error.what());
+  }
+  return textures_[image.path] = static_cast<uint32_t>(scene_.textures.size() - 1);
+}
+
+uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& object_name) {
+  const bool named = !surface.name.empty();
+  if (const auto known = material_of_surface_.find(&surface); named && known != material_of_surface_.end())
+    return known->second;
+  for (const PovProblem& problem : surface.problems) refuse(problem);
+  for (const PovProblem& note : surface.notes) report_->add(note.what, note.place.file, note.place.line);
+  Material material;
+  const std::string name = named ? surface.name : object_name;
+  material.reflectance =
+      limited_reflectance(surface.reflectance, surface.place.file, surface.place.line, report_);
+  material.emission = overridden_emission(surface.emission, name, options_);
+  if (!is_finite(material.emission))
+    fail_at(surface.place.file, surface.place.line, "an emission is not finite");
+  for (int c = 0; c < 3; ++c) {
+    if (material.emission[c] >= 0) continue;
+    report_->add("negative emission is taken as 0", surface.place.file, surface.place.line);
+    material.emission[c] = 0;
+  }
+  if (surface.image) material.texture = texture_of(*surface.image, surface.place);
+  const Rgb r = material.reflectance, e = material.emission;
+  const auto [found, is_new] = materials_.insert({{name, r.r, r.g, r.b, e.r, e.g, e.b, material.texture},
+                                                  static_cast<uint32_t>(scene_.materials.size())});
+  if (is_new) {
+    material.name = unique(name, &material_uses_);
+    scene_.materials.push_back(material);
+  }
+  if (named) material_of_surface_[&surface] = found->second;
+  return found->second;
+}
+
+// Lamps that cast no shadow are there to be looked at; the light that they hide is what lights the scene.
+bool PovBuilder::left_out(const PovFacet& facet, const PovObject& object) {
+  if (!facet.no_shadow) return false;
+  if (is_black(facet.surface->emission)) {
+    report_->add("no_shadow is ignored: all surfaces cast shadows", object.place.file, object.place.line);
+    return false;
+  }
+  report_->add("glowing surface without shadow left out: its light comes from light sources",
+               object.place.file, object.place.line);
+  return true;
+}
+
+void PovBuilder::add_facet(const PovFacet& facet, const PovObject& object, uint32_t scene_object,
+                           const std::string& object_name) {
+  if (facet.corners.size() > kMaxCorners)
+    fail_at(object.place.file, object.place.line,
+            "a polygon has " + std::to_string(facet.corners.size()) + " corners, expected at most " +
+                std::to_string(kMaxCorners));
+  std::vector<Vec3> outline;
+  std::vector<uint32_t> corners;
+  for (const uint32_t corner : facet.corners) {
+    if (!is_finite(object.points[corner]) || !(length(object.points[corner]) < 1e30))
+      fail_at(object.place.file, object.place.line, "an object is not within the range of numbers");
+    corners.push_back(vertex(object.points[corner]));
+    outline.push_back(scene_.vertices[corners.back()]);
+  }
+  const size_t count = corners.size();
+  // Mirrored space turns outlines around.
+  const auto at = [&](size_t i) { return mirror_ ? count - 1 - i : i; };
+  if (mirror_) std::reverse(outline.begin(), outline.end());
+  std::vector<Piece> pieces;
+  const Outline kind = polygonize(outline, &pieces);
+  if (kind == Outline::kDegenerate)
+    report_->add("degenerate face left out", object.place.file, object.place.line);
+  if (kind == Outline::kCrossing)
+    report_->add("face that crosses itself left out in part", object.place.file, object.place.line);
+  if (pieces.empty()) return;
+  const uint32_t material = material_of(*facet.surface, object_name);
+  const bool textured = scene_.materials[material].texture != kNone;
+  if (textured && facet.uvs.empty()) refuse({"image_map without uv_vectors", facet.surface->place});
+  for (const Piece& piece : pieces) {
+    Polygon polygon;
+    polygon.object = scene_object;
+    polygon.material = material;
+    for (int k = 0; k < 4 && piece.corners[k] >= 0; ++k) {
+      const size_t i = at(static_cast<size_t>(piece.corners[k]));
+      polygon.corners[k] = corners[i];
+      if (textured && !facet.uvs.empty()) polygon.uvs[k] = uv(object.uvs[facet.uvs[i]]);
+    }
+    scene_.polygons.push_back(polygon);
+  }
+}
+
+void PovBuilder::add_object(const std::string& name, const PovObject& object) {
+  for (const PovProblem& problem : object.problems) refuse(problem);
+  for (const PovProblem& note : object.notes) report_->add(note.what, note.place.file, note.place.line);
+  if (object.facets.empty()) return;
+  const std::string full = unique(name, &object_uses_);
+  std::vector<uint32_t> object_of_part(object.parts.size(), kNone);
+  for (const PovFacet& facet : object.facets) {
+    if (left_out(facet, object)) continue;
+    uint32_t& scene_object = object_of_part[facet.part];
+    if (scene_object == kNone) {
+      const std::string& part = object.parts[facet.part];
+      scene_object = static_cast<uint32_t>(scene_.objects.size());
+      scene_.objects.push_back({part.empty() ? full : full + "/" + part, 0});
+    }
+    add_facet(facet, object, scene_object, full);
+  }
+}
+
+void PovBuilder::add_camera(const PovCamera& camera) {
+  if (camera.problem) refuse(*camera.problem);
+  const double height = length(camera.up), depth = length(camera.direction);
+  if (!(height > 0) || !(depth > 0) || !(length(cross(camera.up, camera.direction)) > 0))
+    fail_at(camera.place.file, camera.place.line, "the camera has no direction or no upward vector");
+  CameraKey key;
+  key.from = placed(camera.location);
+  key.to = key.from + placed(normalized(camera.direction));
+  key.up = placed(normalized(camera.up));
+  key.fov = 2 * std::atan(height / 2 / depth);
+  scene_.cameras.push_back({camera.name.empty() ? "camera" : camera.name, {key}});
+}
+
+}  // namespace strad

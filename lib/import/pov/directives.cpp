@@ -1,0 +1,428 @@
+// POV-Ray's directives: what is declared, repeated, chosen, included.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "import/pov/language.h"
+
+namespace strad {
+namespace {
+
+// Turns of loops and calls of macros: beyond, a loop is taken for endless.
+constexpr size_t kMaxSteps = 5'000'000;
+constexpr size_t kMaxNesting = 100;  // includes and macros in each other
+
+bool opens_block(std::string_view directive) {
+  constexpr std::array<std::string_view, 7> kOpening{"if",  "ifdef",  "ifndef", "while",
+                                                     "for", "switch", "macro"};
+  return std::find(kOpening.begin(), kOpening.end(), directive) != kOpening.end();
+}
+
+bool shapes_blocks(std::string_view directive) {
+  constexpr std::array<std::string_view, 6> kShaping{"else", "elseif", "end", "case", "range", "break"};
+  return opens_block(directive) ? directive != "macro"
+                                : std::find(kShaping.begin(), kShaping.end(), directive) != kShaping.end();
+}
+
+}  // namespace
+
+void PovLanguage::open(const std::string& path) {
+  if (cursors_.size() >= kMaxNesting) fail("includes and macros are nested too deep");
+  std::shared_ptr<const PovFile>& file = files_[path];
+  if (!file) file = read_pov_file(path);
+  cursors_.emplace_back().file = file;
+}
+
+const PovToken& PovLanguage::peek() {
+  while (true) {
+    Cursor& cursor = here();
+    const PovToken& token = raw();
+    if (cursor.plain == cursor.next) return token;
+    if (token.kind == PovKind::kDirective) {
+      obey();
+    } else if (token.kind == PovKind::kEnd) {
+      if (!cursor.blocks.empty())
+        fail_at(cursor.file->name, cursor.blocks.back().line, "the block is not closed, expected #end");
+      if (cursors_.size() == 1) return token;
+      cursors_.pop_back();
+    } else {
+      const PovValue* known = token.kind == PovKind::kWord ? find(token.text) : nullptr;
+      if (known && std::holds_alternative<PovMacro>(*known)) {
+        call(std::get<PovMacro>(*known));
+        continue;
+      }
+      cursor.plain = cursor.next;
+      return token;
+    }
+  }
+}
+
+PovToken PovLanguage::take() {
+  const PovToken token = peek();
+  if (token.kind != PovKind::kEnd) ++here().next;
+  return token;
+}
+
+bool PovLanguage::next_is(std::string_view text) {
+  const PovToken& token = peek();
+  return (token.kind == PovKind::kSymbol || token.kind == PovKind::kWord) && token.text == text;
+}
+
+bool PovLanguage::next_is_plainly(std::string_view text) {
+  return (raw().kind == PovKind::kWord || raw().kind == PovKind::kSymbol) && raw().text == text;
+}
+
+// A declaration ends the expression before it, for which it must not be obeyed too early.
+bool PovLanguage::operator_is_next(std::string_view symbol) {
+  if (raw().kind == PovKind::kDirective && !shapes_blocks(raw().text)) return false;
+  return next_is(symbol);
+}
+
+bool PovLanguage::take_if(std::string_view text) {
+  if (!next_is(text)) return false;
+  ++here().next;
+  return true;
+}
+
+void PovLanguage::expect(std::string_view symbol) {
+  if (!take_if(symbol)) fail_expected(std::string(symbol));
+}
+
+void PovLanguage::skip_block() {
+  const PovPlace start = place();
+  expect("{");
+  for (int depth = 1; depth > 0;) {
+    const PovToken token = take();
+    if (token.kind == PovKind::kEnd) fail_at(start.file, start.line, "the block is not closed, expected }");
+    if (token.kind == PovKind::kSymbol && token.text == "{") ++depth;
+    if (token.kind == PovKind::kSymbol && token.text == "}") --depth;
+  }
+}
+
+PovPlace PovLanguage::place_of(const PovToken& token) const {
+  return {cursors_.back().file->name, token.line};
+}
+PovPlace PovLanguage::place() { return place_of(peek()); }
+
+void PovLanguage::fail(const std::string& what) { fail_at(here().file->name, raw().line, what); }
+
+void PovLanguage::fail_expected(const std::string& expected) {
+  const PovToken& token = raw();
+  const std::string found = token.kind == PovKind::kEnd         ? "the end of the file"
+                            : token.kind == PovKind::kDirective ? "#" + std::string(token.text)
+                                                                : in_quotes(token.text);
+  fail("found " + found + ", expected " + expected);
+}
+
+void PovLanguage::refuse(const PovProblem& problem) {
+  if (!options_.skip_unknown)
+    fail_at(problem.place.file, problem.place.line, problem.what + " is not supported");
+  report_->add(problem.what + " left out", problem.place.file, problem.place.line);
+}
+
+const PovValue* PovLanguage::find(std::string_view name) const {
+  for (auto cursor = cursors_.rbegin(); cursor != cursors_.rend(); ++cursor) {
+    if (const auto found = cursor->locals.find(name); found != cursor->locals.end()) return &found->second;
+  }
+  const auto found = globals_.find(name);
+  return found == globals_.end() ? nullptr : &found->second;
+}
+
+void PovLanguage::declare(const std::string& name, PovValue value, bool local) {
+  (local ? here().locals : globals_).insert_or_assign(name, std::move(value));
+}
+
+// Obeys the directive that is next. Called with nothing but the raw token known.
+void PovLanguage::obey() {
+  const Deeper deeper(this);
+  const std::string name(raw().text);
+  const std::string file = here().file->name;
+  const uint32_t line = raw().line;
+  ++here().next;
+  if (name == "declare" || name == "local") return obey_declare(name == "local");
+  if (name == "if") return obey_if(false);
+  if (name == "ifdef" || name == "ifndef") return obey_ifdef(name == "ifdef");
+  if (name == "while") return obey_while();
+  if (name == "for") return obey_for();
+  if (name == "switch") return obey_switch();
+  if (name == "end") return obey_end();
+  if (name == "break") return obey_break();
+  if (name == "include") return obey_include();
+  if (name == "macro") return obey_macro();
+  if (name == "default") return default_block();
+  if (name == "version") {
+    if (take_if("unofficial")) take();
+    numbers();
+    if (next_is_plainly(";")) take();
+  } else if (name == "case" || name == "range") {  // reached from the case before: goes on
+    expect("(");
+    while (!take_if(")")) take();
+  } else if (name == "else" || name == "elseif") {  // the branch before it was taken
+    if (here().blocks.empty()) fail_at(file, line, "found #" + name + " outside a block");
+    while (skip_branch() != "end") continue;
+    here().blocks.pop_back();
+  } else if (name == "undef") {
+    const std::string undefined(raw().text);
+    ++here().next;
+    if (here().locals.erase(undefined) == 0) globals_.erase(undefined);
+  } else if (name == "debug" || name == "warning" || name == "render" || name == "statistics") {
+    string();
+  } else if (name == "error") {
+    fail_at(file, line, "#error " + in_quotes(string(), 200));
+  } else {
+    fail_at(file, line, "#" + name + " is not supported");
+  }
+}
+
+void PovLanguage::obey_declare(bool local) {
+  if (raw().kind == PovKind::kWord && raw().text == "deprecated") {  // deprecated [once] "why" NAME
+    ++here().next;
+    take_if("once");
+    string();
+  }
+  if (raw().kind != PovKind::kWord) fail_expected("the name to declare");
+  const std::string name(raw().text);
+  ++here().next;
+  if (next_is("[")) return declare_element(name);
+  expect("=");
+  PovValue declared = value();
+  // Names stay with materials and parts.
+  if (auto* texture = std::get_if<PovTexture>(&declared)) {
+    texture->name = name;
+  } else if (auto* pigment = std::get_if<PovPigment>(&declared)) {
+    pigment->name = name;
+  } else if (auto* light = std::get_if<PovLight>(&declared)) {
+    light->name = name;
+  } else if (auto* camera = std::get_if<PovCamera>(&declared)) {
+    camera->name = name;
+  }
+  declare(name, std::move(declared), local);
+  if (next_is_plainly(";")) take();
+}
+
+void PovLanguage::declare_element(const std::string& name) {
+  const PovValue* known = find(name);
+  if (!known || !std::holds_alternative<std::shared_ptr<PovArray>>(*known)) fail(name + " is not an array");
+  const auto array = std::get<std::shared_ptr<PovArray>>(*known);
+  const size_t index = indices_into(*array, name);
+  expect("=");
+  array->items[index] = value();
+  if (next_is_plainly(";")) take();
+}
+
+void PovLanguage::push(Block::Kind kind, size_t start) {
+  Block block;
+  block.kind = kind;
+  block.start = start;
+  block.line = raw().line;
+  here().blocks.push_back(block);
+}
+
+// Over raw tokens, past the #else, #elseif, #case, #range or #end of the block we are in: which it was.
+std::string PovLanguage::skip_branch() {
+  for (int depth = 0;; ++here().next) {
+    const PovToken& token = raw();
+    if (token.kind == PovKind::kEnd) fail("found the end of the file, expected #end");
+    if (token.kind != PovKind::kDirective) continue;
+    const bool branch =
+        token.text == "else" || token.text == "elseif" || token.text == "case" || token.text == "range";
+    if (depth == 0 && (branch || token.text == "end")) {
+      ++here().next;
+      return std::string(token.text);
+    }
+    if (opens_block(token.text)) ++depth;
+    if (token.text == "end") --depth;
+  }
+}
+
+void PovLanguage::obey_if(bool known) {
+  bool taken = known || truth();
+  while (!taken) {
+    const std::string branch = skip_branch();
+    if (branch == "end") return;
+    taken = branch == "else" || (branch == "elseif" && truth());
+  }
+  push(Block::kIf);
+}
+
+void PovLanguage::obey_ifdef(bool wanted) {
+  if (!(raw().kind == PovKind::kSymbol && raw().text == "(")) fail_expected("(");
+  ++here().next;
+  bool defined = raw().kind == PovKind::kWord && find(raw().text);
+  const std::string name(raw().text);
+  ++here().next;
+  if (next_is("[") && defined) {
+    const PovValue* array = find(name);
+    if (!std::holds_alternative<std::shared_ptr<PovArray>>(*array)) fail(name + " is not an array");
+    const auto items = std::get<std::shared_ptr<PovArray>>(*array);
+    defined = items->items[indices_into(*items, name)].has_value();
+  }
+  expect(")");
+  if (defined == wanted) return push(Block::kIf);
+  for (std::string branch = skip_branch(); branch != "end"; branch = skip_branch()) {
+    if (branch == "else" || (branch == "elseif" && truth())) return push(Block::kIf);
+  }
+}
+
+void PovLanguage::count_step() {
+  if (++steps_ > kMaxSteps) fail("the file takes more than " + std::to_string(kMaxSteps) + " turns of loops");
+}
+
+void PovLanguage::obey_while() {
+  const size_t start = here().next;
+  count_step();
+  if (truth()) return push(Block::kWhile, start);
+  while (skip_branch() != "end") continue;
+}
+
+void PovLanguage::obey_for() {
+  expect("(");
+  Block loop;
+  loop.kind = Block::kFor;
+  if (raw().kind != PovKind::kWord) fail_expected("the name of the loop's variable");
+  loop.variable = raw().text;
+  ++here().next;
+  expect(",");
+  loop.value = number();
+  expect(",");
+  loop.last = number();
+  if (take_if(",")) loop.step = number();
+  expect(")");
+  if (!(loop.step != 0)) fail("the loop never ends: its step is 0");
+  const bool runs = loop.step > 0 ? loop.value <= loop.last : loop.value >= loop.last;
+  if (!runs) {
+    while (skip_branch() != "end") continue;
+    return;
+  }
+  loop.start = here().next;
+  loop.line = raw().line;
+  here().blocks.push_back(loop);
+  PovNumbers value;
+  value[0] = loop.value;
+  declare(loop.variable, value, true);
+}
+
+void PovLanguage::obey_switch() {
+  expect("(");
+  const double wanted = number();
+  expect(")");
+  // Behind `(X)` comes the first #case; branches of other blocks cannot be between.
+  for (std::string branch = skip_branch(); branch != "end"; branch = skip_branch()) {
+    bool taken = branch == "else";
+    if (branch == "case" || branch == "range") {
+      expect("(");
+      const double low = number();
+      const double high = branch == "range" ? (expect(","), number()) : low;
+      expect(")");
+      taken = wanted >= low && wanted <= high;
+    }
+    if (taken) return push(Block::kSwitch);
+  }
+}
+
+void PovLanguage::obey_break() {
+  std::vector<Block>& blocks = here().blocks;
+  while (!blocks.empty()) {
+    while (skip_branch() != "end") continue;
+    const Block::Kind left = blocks.back().kind;
+    blocks.pop_back();
+    if (left == Block::kMacro) {
+      cursors_.pop_back();
+      return;
+    }
+    if (left != Block::kIf) return;
+  }
+  fail("found #break outside a block");
+}
+
+void PovLanguage::obey_end() {
+  std::vector<Block>& blocks = here().blocks;
+  if (blocks.empty()) fail("found #end outside a block");
+  Block& block = blocks.back();
+  if (block.kind == Block::kMacro) {
+    cursors_.pop_back();
+  } else if (block.kind == Block::kWhile) {
+    here().next = block.start;
+    blocks.pop_back();
+    obey_while();
+  } else if (block.kind == Block::kFor) {
+    count_step();
+    block.value += block.step;
+    // As POV-Ray does, with room for rounding.
+    const bool runs = block.step > 0 ? block.value < block.last + 1e-10 * std::max(1.0, std::abs(block.last))
+                                     : block.value > block.last - 1e-10 * std::max(1.0, std::abs(block.last));
+    if (!runs) return blocks.pop_back();
+    here().next = block.start;
+    PovNumbers value;
+    value[0] = block.value;
+    declare(block.variable, value, true);
+  } else {
+    blocks.pop_back();
+  }
+}
+
+std::string PovLanguage::found_include(const std::string& name) const {
+  const std::array<std::string, 5> candidates{
+      path_beside(cursors_.back().file->path, name), path_beside(cursors_.front().file->path, name), name,
+      "/usr/share/povray-3.7/include/" + name, "/usr/local/share/povray-3.7/include/" + name};
+  for (const std::string& path : candidates)
+    if (std::filesystem::is_regular_file(path)) return path;
+  return "";
+}
+
+void PovLanguage::obey_include() {
+  const PovPlace from = place();
+  const std::string name = string();
+  const std::string path = found_include(name);
+  if (!path.empty()) return open(path);
+  const std::string what = "included file " + in_quotes(name, name.size()) + " is missing";
+  if (!options_.skip_missing) fail_at(from.file, from.line, what);
+  report_->add(what + ": left out", from.file, from.line);
+}
+
+// Only notes where the body is: its tokens are read at each call.
+void PovLanguage::obey_macro() {
+  PovMacro macro;
+  macro.file = here().file;
+  const auto take_raw = [this](PovKind kind, std::string_view text, const std::string& expected) {
+    if (raw().kind != kind || (!text.empty() && raw().text != text)) fail_expected(expected);
+    return std::string(here().file->tokens[here().next++].text);
+  };
+  const std::string name = take_raw(PovKind::kWord, "", "the name of the macro");
+  take_raw(PovKind::kSymbol, "(", "(");
+  while (!(raw().kind == PovKind::kSymbol && raw().text == ")")) {
+    macro.parameters.push_back(take_raw(PovKind::kWord, "", "the name of a parameter"));
+    if (raw().kind == PovKind::kSymbol && raw().text == ",") ++here().next;
+  }
+  ++here().next;
+  macro.body = here().next;
+  while (skip_branch() != "end") continue;
+  declare(name, std::move(macro), false);
+}
+
+// At the macro's name.
+void PovLanguage::call(PovMacro macro) {
+  const Deeper deeper(this);
+  count_step();
+  if (cursors_.size() >= kMaxNesting) fail("includes and macros are nested too deep");
+  const std::string name(raw().text);
+  ++here().next;
+  Cursor inside;
+  inside.file = macro.file;
+  inside.next = macro.body;
+  expect("(");
+  for (size_t i = 0; i < macro.parameters.size(); ++i) {
+    if (i > 0 && !take_if(",")) fail_expected("argument " + std::to_string(i + 1) + " of " + name);
+    inside.locals.insert_or_assign(macro.parameters[i], value());
+  }
+  expect(")");
+  Block block;
+  block.kind = Block::kMacro;
+  block.line = raw().line;
+  inside.blocks.push_back(block);
+  cursors_.push_back(std::move(inside));
+}
+
+}  // namespace strad

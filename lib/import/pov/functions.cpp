@@ -1,0 +1,223 @@
+// POV-Ray's functions of numbers, vectors and strings.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/pose.h"
+#include "base/text.h"
+#include "import/pov/language.h"
+
+namespace strad {
+namespace {
+
+constexpr double kDegree = kPi / 180;
+
+struct NumberFunction {
+  std::string_view name;
+  size_t least, most;  // arguments
+  double (*call)(const std::vector<double>&);
+};
+using Numbers = const std::vector<double>&;
+
+constexpr std::array<NumberFunction, 25> kNumberFunctions{{
+    {"abs", 1, 1, [](Numbers a) { return std::abs(a[0]); }},
+    {"acos", 1, 1, [](Numbers a) { return std::acos(a[0]); }},
+    {"asin", 1, 1, [](Numbers a) { return std::asin(a[0]); }},
+    {"atan", 1, 1, [](Numbers a) { return std::atan(a[0]); }},
+    {"atan2", 2, 2, [](Numbers a) { return std::atan2(a[0], a[1]); }},
+    {"ceil", 1, 1, [](Numbers a) { return std::ceil(a[0]); }},
+    {"cos", 1, 1, [](Numbers a) { return std::cos(a[0]); }},
+    {"cosh", 1, 1, [](Numbers a) { return std::cosh(a[0]); }},
+    {"degrees", 1, 1, [](Numbers a) { return a[0] / kDegree; }},
+    {"div", 2, 2, [](Numbers a) { return std::trunc(a[0] / a[1]); }},
+    {"exp", 1, 1, [](Numbers a) { return std::exp(a[0]); }},
+    {"floor", 1, 1, [](Numbers a) { return std::floor(a[0]); }},
+    {"int", 1, 1, [](Numbers a) { return std::trunc(a[0]); }},
+    {"log", 1, 1, [](Numbers a) { return std::log10(a[0]); }},
+    {"ln", 1, 1, [](Numbers a) { return std::log(a[0]); }},
+    {"max", 1, 100, [](Numbers a) { return *std::max_element(a.begin(), a.end()); }},
+    {"min", 1, 100, [](Numbers a) { return *std::min_element(a.begin(), a.end()); }},
+    {"mod", 2, 2, [](Numbers a) { return std::fmod(a[0], a[1]); }},
+    {"pow", 2, 2, [](Numbers a) { return std::pow(a[0], a[1]); }},
+    {"radians", 1, 1, [](Numbers a) { return a[0] * kDegree; }},
+    {"select", 3, 4,
+     [](Numbers a) {
+       return a.size() == 3 ? a[a[0] < 0 ? 1 : 2] : a[a[0] < 0 ? 1 : a[0] > 0 ? 3 : 2];
+     }},
+    {"sin", 1, 1, [](Numbers a) { return std::sin(a[0]); }},
+    {"sinh", 1, 1, [](Numbers a) { return std::sinh(a[0]); }},
+    {"sqrt", 1, 1, [](Numbers a) { return std::sqrt(a[0]); }},
+    {"tan", 1, 1, [](Numbers a) { return std::tan(a[0]); }},
+}};
+
+constexpr std::array<std::string_view, 14> kOtherFunctions{
+    "vlength", "vdot",   "vcross", "vnormalize", "vrotate", "vaxis_rotate",   "seed",
+    "rand",    "strlen", "val",    "asc",        "defined", "dimension_size", "dimensions"};
+constexpr std::array<std::string_view, 7> kStringFunctions{"concat", "str",    "chr", "substr",
+                                                           "strupr", "strlwr", "vstr"};
+
+Vec3 vector_of(const PovNumbers& n) { return n.size == 1 ? Vec3{n[0], n[0], n[0]} : Vec3{n[0], n[1], n[2]}; }
+PovNumbers numbers_of(Vec3 v) {
+  PovNumbers n;
+  n.size = 3;
+  n.parts = {v.x, v.y, v.z};
+  return n;
+}
+PovNumbers number_of(double value) {
+  PovNumbers n;
+  n[0] = value;
+  return n;
+}
+
+// About x, then y, then z. POV-Ray's space is left-handed: turns look clockwise against the axis, but the
+// numbers are those of counter-clockwise turns in a right-handed one.
+Vec3 turned(Vec3 v, Vec3 degrees) {
+  v = rotate(rotation_about({1, 0, 0}, degrees.x * kDegree), v);
+  v = rotate(rotation_about({0, 1, 0}, degrees.y * kDegree), v);
+  return rotate(rotation_about({0, 0, 1}, degrees.z * kDegree), v);
+}
+
+// As many digits after the point as told; filled to the width with blanks, or zeros where it is negative.
+std::string written(double value, int width, int digits) {
+  std::array<char, 400> text;
+  const char* format = digits < 0 ? (width < 0 ? "%0*f" : "%*f") : (width < 0 ? "%0*.*f" : "%*.*f");
+  const int filled = std::clamp(std::abs(width), 0, 60), shown = std::clamp(digits, 0, 30);
+  const int size = digits < 0 ? std::snprintf(text.data(), text.size(), format, filled, value)
+                              : std::snprintf(text.data(), text.size(), format, filled, shown, value);
+  return std::string(text.data(), static_cast<size_t>(size));
+}
+
+}  // namespace
+
+bool PovLanguage::is_function(std::string_view name) const {
+  return std::any_of(kNumberFunctions.begin(), kNumberFunctions.end(),
+                     [&](const auto& f) { return f.name == name; }) ||
+         std::find(kOtherFunctions.begin(), kOtherFunctions.end(), name) != kOtherFunctions.end();
+}
+
+bool PovLanguage::is_string_function(std::string_view name) const {
+  return std::find(kStringFunctions.begin(), kStringFunctions.end(), name) != kStringFunctions.end();
+}
+
+std::vector<PovNumbers> PovLanguage::arguments(size_t least, size_t most) {
+  expect("(");
+  std::vector<PovNumbers> found{logical()};
+  while (take_if(",")) found.push_back(logical());
+  expect(")");
+  if (found.size() < least || found.size() > most)
+    fail("a function has " + std::to_string(found.size()) + " arguments");
+  return found;
+}
+
+PovNumbers PovLanguage::function(const std::string& name) {
+  for (const NumberFunction& known : kNumberFunctions) {
+    if (known.name != name) continue;
+    std::vector<double> values;
+    for (const PovNumbers& argument : arguments(known.least, known.most)) values.push_back(argument[0]);
+    const double result = known.call(values);
+    if (!std::isfinite(result)) fail(name + " has no finite value here");
+    return number_of(result);
+  }
+  return function_of_other_things(name);
+}
+
+// rand() is POV-Ray's own, so that scenes of scattered things come out as in POV-Ray.
+double PovLanguage::random(size_t stream) {
+  if (stream >= random_states_.size()) fail("rand of a stream that seed did not make");
+  random_states_[stream] = random_states_[stream] * 1812433253u + 12345u;
+  return random_states_[stream] / 4294967295.0;
+}
+
+PovNumbers PovLanguage::function_of_other_things(const std::string& name) {
+  if (name == "strlen" || name == "val" || name == "asc") {
+    expect("(");
+    const std::string text = string();
+    expect(")");
+    if (name == "strlen") return number_of(static_cast<double>(text.size()));
+    if (name == "asc") return number_of(text.empty() ? 0 : static_cast<unsigned char>(text[0]));
+    const auto found = number_in(text);
+    if (!found) fail("val of " + in_quotes(text) + ", expected a number");
+    return number_of(*found);
+  }
+  if (name == "defined" || name == "dimensions" || name == "dimension_size") {
+    expect("(");
+    const PovValue* known = find(take().text);
+    const auto* array = known ? std::get_if<std::shared_ptr<PovArray>>(known) : nullptr;
+    double result = known != nullptr;
+    if (name != "defined") {
+      if (!array) fail(name + " of what is not an array");
+      const std::vector<size_t> sizes = (*array)->sizes;
+      result = static_cast<double>(sizes.size());
+      if (take_if(",")) {
+        const int dimension = integer();
+        if (dimension < 1 || dimension > static_cast<int>(sizes.size()))
+          fail("the array has no such dimension");
+        result = static_cast<double>(sizes[static_cast<size_t>(dimension - 1)]);
+      }
+    }
+    expect(")");
+    return number_of(result);
+  }
+  const std::vector<PovNumbers> a = arguments(1, 3);
+  const size_t wanted = name == "vaxis_rotate"                                    ? 3
+                        : name == "vdot" || name == "vcross" || name == "vrotate" ? 2
+                                                                                  : 1;
+  if (a.size() != wanted)
+    fail(name + " has " + std::to_string(a.size()) + " arguments, expected " + std::to_string(wanted));
+  const Vec3 v = vector_of(a[0]);
+  if (name == "vlength") return number_of(length(v));
+  if (name == "vnormalize") return numbers_of(normalized(v));
+  if (name == "vdot") return number_of(dot(v, vector_of(a[1])));
+  if (name == "vcross") return numbers_of(cross(v, vector_of(a[1])));
+  if (name == "vrotate") return numbers_of(turned(v, vector_of(a[1])));
+  if (name == "vaxis_rotate")
+    return numbers_of(rotate(rotation_about(normalized(vector_of(a[1])), a[2][0] * kDegree), v));
+  if (name == "rand") return number_of(random(static_cast<size_t>(std::max(0.0, a[0][0]))));
+  random_states_.push_back(static_cast<uint32_t>(static_cast<int64_t>(a[0][0])));  // seed
+  return number_of(static_cast<double>(random_states_.size() - 1));
+}
+
+std::string PovLanguage::string_function(const std::string& name) {
+  expect("(");
+  std::string result;
+  if (name == "str") {
+    const double value = number();
+    expect(",");
+    const int width = integer();
+    expect(",");
+    result = written(value, width, integer());
+  } else if (name == "vstr") {
+    const int dimension = integer();
+    expect(",");
+    const PovNumbers values = numbers();
+    expect(",");
+    const std::string between = string();
+    expect(",");
+    const int width = integer();
+    expect(",");
+    const int digits = integer();
+    for (int i = 0; i < std::min(dimension, 5); ++i)
+      result += (i ? between : "") + written(values[i], width, digits);
+  } else if (name == "chr") {
+    result = static_cast<char>(integer());
+  } else {
+    result = string();
+    while (name == "concat" && take_if(",")) result += string();
+    if (name == "substr") {
+      expect(",");
+      const int first = integer();
+      expect(",");
+      const int count = integer();
+      if (first < 1 || count < 0 || first - 1 + count > static_cast<int>(result.size()))
+        fail("substr outside its string");
+      result = result.substr(static_cast<size_t>(first - 1), static_cast<size_t>(count));
+    }
+    if (name == "strupr") std::transform(result.begin(), result.end(), result.begin(), ::toupper);
+    if (name == "strlwr") std::transform(result.begin(), result.end(), result.begin(), ::tolower);
+  }
+  expect(")");
+  return result;
+}
+
+}  // namespace strad

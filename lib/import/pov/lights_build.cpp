@@ -1,0 +1,109 @@
+// POV-Ray's light sources as spotlights and emitting panels of the same light.
+//
+// POV-Ray shows pigment * diffuse * colour * cos; strad shows reflectance / pi * I cos / r^2. So I = pi r^2
+// colour, with what POV-Ray's fading makes of the colour at r.
+#include <cmath>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "import/pov/build.h"
+#include "import/pov/shapes.h"
+
+namespace strad {
+namespace {
+
+constexpr double kDegree = kPi / 180;
+constexpr double kFullCone = 179.99 * kDegree;  // a cone must be narrower than a sphere
+
+// strad-frame --pov writes these beside surfaces that emit: they would be lit twice.
+constexpr std::string_view kOwnLamps = "strad_lamp_";
+
+Box box_of(const Scene& scene) {
+  Box box;
+  for (const Vec3 vertex : scene.vertices) box.add(vertex);
+  return box;
+}
+
+}  // namespace
+
+// On the light's axis, W / sr.
+Rgb PovBuilder::intensity_of(const PovLight& light) {
+  const double d = light.fade_distance;
+  // 2 / (1 + (r / d)^2), which is 2 d^2 / r^2 beyond the source itself.
+  if (d > 0 && light.fade_power == 2) return static_cast<float>(2 * kPi * d * d) * light.colour;
+  const Vec3 target = light.spotlight ? light.point_at : placed(box_of(scene_).centre());
+  const double r = length(target - light.location);
+  const bool fades = d > 0 && light.fade_power > 0;
+  const double faded = fades ? 2 / (1 + std::pow(r / d, light.fade_power)) : 1;
+  report_->add(
+      "light that does not fade with the square of the distance is made to: its strength is that at " +
+          std::string(light.spotlight ? "point_at" : "the middle of the scene"),
+      light.place.file, light.place.line);
+  return static_cast<float>(kPi * r * r * faded) * light.colour;
+}
+
+void PovBuilder::add_light(const PovLight& light) {
+  for (const PovProblem& problem : light.problems) refuse(problem);
+  if (std::min({light.colour.r, light.colour.g, light.colour.b}) < 0)
+    fail_at(light.place.file, light.place.line, "the colour of a light is negative");
+  if (is_black(light.colour) || light.name.starts_with(kOwnLamps)) return;
+  if (light.spotlight && !(length(light.point_at - light.location) > 0))
+    fail_at(light.place.file, light.place.line, "a spotlight points at itself");
+  const Rgb intensity = intensity_of(light);
+  const Vec3 across = cross(light.axis1, light.axis2);
+  const bool has_area = light.area && length(across) > 1e-12 * (length2(light.axis1) + length2(light.axis2));
+  // A spotlight as wide as a hemisphere, falling with the cosine, is how POV-Ray says "a lamp".
+  const bool is_lambertian = light.tightness == 1 && std::abs(light.radius) >= 90 && light.falloff >= 90;
+  if (has_area && light.spotlight && is_lambertian) {
+    const Vec3 towards = light.point_at - light.location;
+    add_panel(light, intensity, (dot(across, towards) < 0 ? -1 : 1) * normalized(across), true);
+  } else if (has_area && !light.spotlight) {
+    add_panel(light, intensity, normalized(across), false);
+    add_panel(light, intensity, -normalized(across), false);
+  } else {
+    if (has_area)
+      report_->add("area_light of a spotlight is taken as a point", light.place.file, light.place.line);
+    add_spot(light, intensity);
+  }
+}
+
+void PovBuilder::add_spot(const PovLight& light, Rgb intensity) {
+  Spot spot;
+  spot.name = unique(light.name.empty() ? "light_source" : light.name, &spot_uses_);
+  spot.inner = spot.outer = kFullCone;
+  Vec3 aim = light.location - Vec3{0, 1, 0};
+  if (light.spotlight) {
+    aim = light.point_at;
+    spot.outer = std::min(light.falloff * kDegree, kFullCone);
+    spot.inner = std::clamp(light.radius * kDegree, 0.0, spot.outer);
+    if (!(spot.outer > 0))
+      fail_at(light.place.file, light.place.line, "the falloff of a spotlight is not above 0");
+    if (light.tightness != 0)
+      report_->add("tightness of a spotlight is ignored", light.place.file, light.place.line);
+  }
+  spot.keys.push_back({0, placed(light.location), placed(aim), intensity});
+  scene_.spots.push_back(std::move(spot));
+}
+
+// A Lambertian panel of radiance Le has Le A on its axis, and sends pi Le A to its front; a point light sends
+// 2 pi I to each side. It is moved off its plane by a thousandth of its size: many lie in a ceiling.
+void PovBuilder::add_panel(const PovLight& light, Rgb intensity, Vec3 front, bool is_lambertian) {
+  const double area = length(cross(light.axis1, light.axis2));
+  auto surface = std::make_shared<PovSurface>();
+  surface->name = light.name;
+  surface->place = light.place;
+  surface->emission = static_cast<float>((is_lambertian ? 1 : 2) / area) * intensity;
+  const bool flipped = dot(cross(light.axis1, light.axis2), front) < 0;
+  const Vec3 u = flipped ? light.axis2 : light.axis1, v = flipped ? light.axis1 : light.axis2;
+  const Vec3 corner = light.location - 0.5 * (u + v) + 1e-3 * std::sqrt(area) * front;
+  PovObject panel;
+  panel.place = light.place;
+  panel.points = {corner, corner + u, corner + u + v, corner + v};
+  panel.facets.emplace_back();
+  panel.facets[0].corners = {0, 1, 2, 3};
+  panel.facets[0].surface = surface;
+  panels_.push_back(surface);  // materials are known by where their surface is
+  add_object(light.name.empty() ? "light_source" : light.name, panel);
+}
+
+}  // namespace strad

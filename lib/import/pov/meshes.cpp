@@ -1,0 +1,172 @@
+// POV-Ray's triangles, polygons and meshes, read.
+#include "base/error.h"
+#include "base/text.h"
+#include "import/pov/scene.h"
+#include "import/pov/shapes.h"
+
+namespace strad {
+namespace {
+
+// POV-Ray's outside of a triangle: its normal is that of a left-handed space.
+void add_triangle(PovObject* object, uint32_t a, uint32_t b, uint32_t c, PovSurfacePointer surface) {
+  PovFacet facet;
+  facet.corners = {a, c, b};
+  facet.surface = std::move(surface);
+  object->facets.push_back(std::move(facet));
+}
+
+}  // namespace
+
+// a, b, c, or with normals a, na, b, nb, c, nc.
+PovObject PovSceneReader::triangle_shape(bool smooth) {
+  PovObject made;
+  for (int i = 0; i < 3; ++i) {
+    made.points.push_back(vector());
+    skip_comma();
+    if (smooth) vector(), skip_comma();
+  }
+  add_triangle(&made, 0, 1, 2, nullptr);
+  return made;
+}
+
+// A ring ends where its first point comes again.
+PovObject PovSceneReader::polygon_shape() {
+  const PovPlace at = place();
+  const int count = integer();
+  skip_comma();
+  std::vector<std::vector<Vec3>> rings;
+  bool open = false;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 point = vector();
+    skip_comma();
+    if (!open) {
+      rings.emplace_back().push_back(point);
+      open = true;
+    } else if (point == rings.back().front()) {
+      open = false;
+    } else {
+      rings.back().push_back(point);
+    }
+  }
+  if (rings.empty() ||
+      std::any_of(rings.begin(), rings.end(), [](const auto& ring) { return ring.size() < 3; }))
+    fail_at(at.file, at.line, "a polygon has a ring of fewer than 3 corners");
+  return pov_polygon(rings);
+}
+
+PovObject PovSceneReader::mesh_shape() {
+  PovObject made;
+  made.compound = true;
+  while (next_is("triangle") || next_is("smooth_triangle")) {
+    const bool smooth = take().text == "smooth_triangle";
+    expect("{");
+    const PovObject triangle = triangle_shape(smooth);
+    PovSurfacePointer surface;
+    while (!take_if("}")) {
+      if (take_if("texture")) {
+        const auto known = named<PovTexture>();  // texture Name, without braces, is old usage
+        surface = surface_of(known ? *known : texture_block(default_texture_));
+      } else if (peek().kind == PovKind::kWord) {
+        skip_item();  // uv_vectors, texture_list
+      } else {
+        fail_expected("texture or }");
+      }
+    }
+    const auto first = static_cast<uint32_t>(made.points.size());
+    made.points.insert(made.points.end(), triangle.points.begin(), triangle.points.end());
+    add_triangle(&made, first, first + 1, first + 2, std::move(surface));
+  }
+  return made;
+}
+
+PovMeshLists PovSceneReader::mesh2_lists(PovObject* made) {
+  PovMeshLists lists;
+  lists.file = place().file;
+  while (peek().kind == PovKind::kWord) {
+    const std::string kind(peek().text);
+    const bool known = kind == "vertex_vectors" || kind == "uv_vectors" || kind == "texture_list" ||
+                       kind == "face_indices" || kind == "uv_indices";
+    if (!known && (kind == "normal_vectors" || kind == "normal_indices" || kind == "inside_vector")) {
+      skip_item();
+      continue;
+    }
+    if (!known) break;
+    take();
+    expect("{");
+    integer();  // the count: what is there counts
+    skip_comma();
+    while (!take_if("}")) {
+      if (kind == "vertex_vectors") {
+        made->points.push_back(vector());
+      } else if (kind == "uv_vectors") {
+        made->uvs.push_back(vector2());
+      } else if (kind == "texture_list") {
+        if (!take_if("texture")) fail_expected("texture or }");
+        lists.surfaces.push_back(surface_of(texture_block(default_texture_)));
+      } else if (kind == "uv_indices") {
+        lists.uv_faces.push_back(index_triple());
+      } else {
+        mesh2_face(&lists);
+      }
+      skip_comma();
+    }
+  }
+  return lists;
+}
+
+std::array<int, 3> PovSceneReader::index_triple() {
+  const Vec3 indices = vector();
+  return {static_cast<int>(indices.x), static_cast<int>(indices.y), static_cast<int>(indices.z)};
+}
+
+// <a, b, c>, behind it no number, that of a texture, or one for each corner.
+void PovSceneReader::mesh2_face(PovMeshLists* lists) {
+  PovMeshLists::Face face;
+  face.line = peek().line;
+  face.corners = index_triple();
+  skip_comma();
+  while (expression_is_next() && !next_is("<")) {
+    if (face.texture_count == 3) fail_expected("a face or }");
+    face.textures[static_cast<size_t>(face.texture_count++)] = integer();
+    skip_comma();
+  }
+  lists->faces.push_back(face);
+}
+
+PovObject PovSceneReader::mesh2_shape() {
+  PovObject made;
+  made.compound = true;
+  const PovMeshLists lists = mesh2_lists(&made);
+  const auto check = [&lists](int index, size_t count, const char* what, uint32_t line) {
+    if (index < 0 || static_cast<size_t>(index) >= count)
+      fail_at(
+          lists.file, line,
+          std::string("face uses ") + what + " " + std::to_string(index) + " of " + std::to_string(count));
+    return static_cast<uint32_t>(index);
+  };
+  const auto surface = [&](int index, uint32_t line) {
+    return lists.surfaces[check(index, lists.surfaces.size(), "texture", line)];
+  };
+  for (size_t i = 0; i < lists.faces.size(); ++i) {
+    const PovMeshLists::Face& face = lists.faces[i];
+    const auto& t = face.textures;
+    PovSurfacePointer of_face;
+    if (face.texture_count == 3) {
+      of_face = mean_of(surface(t[0], face.line), surface(t[1], face.line), surface(t[2], face.line));
+    } else if (face.texture_count == 1) {
+      of_face = surface(t[0], face.line);
+    }
+    std::array<uint32_t, 3> corners{}, uvs{};
+    for (size_t k = 0; k < 3; ++k)
+      corners[k] = check(face.corners[k], made.points.size(), "vertex", face.line);
+    add_triangle(&made, corners[0], corners[1], corners[2], of_face);
+    if (made.uvs.empty()) continue;
+    const auto& uv_face = i < lists.uv_faces.size() ? lists.uv_faces[i] : face.corners;
+    for (size_t k = 0; k < 3; ++k)
+      uvs[k] = check(uv_face[k], made.uvs.size(), "texture coordinate", face.line);
+    made.facets.back().uvs = {uvs[0], uvs[2], uvs[1]};
+  }
+  return made;
+}
+
+}  // namespace strad

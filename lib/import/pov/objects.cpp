@@ -1,0 +1,277 @@
+// POV-Ray's objects, their modifiers, and what stands alone in a file.
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "import/pov/scene.h"
+#include "import/pov/shapes.h"
+
+namespace strad {
+namespace {
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_object(std::string_view word) {
+  return is_one_of(word, {"object", "box", "sphere", "cylinder", "cone", "disc", "plane", "triangle",
+                          "smooth_triangle", "polygon", "mesh", "mesh2", "union", "merge"});
+}
+
+bool is_unknown_object(std::string_view word) {
+  return is_one_of(
+      word, {"bicubic_patch", "blob",          "cubic",          "difference", "height_field", "intersection",
+             "isosurface",    "julia_fractal", "lathe",          "lemon",      "light_group",  "ovus",
+             "parametric",    "poly",          "polynomial",     "prism",      "quadric",      "quartic",
+             "sor",           "sphere_sweep",  "superellipsoid", "text",       "torus"});
+}
+
+// `name`, behind it a number from its second use on.
+std::string numbered(const std::string& name, std::map<std::string, int>* uses) {
+  const int use = ++(*uses)[name];
+  return use == 1 ? name : name + "_" + std::to_string(use);
+}
+
+// Adds `child`, which was declared as `name` or has none, to a compound object.
+void add_child(PovObject* object, std::map<std::string, int>* uses, const PovObject& child,
+               const std::string& name) {
+  const auto first_point = static_cast<uint32_t>(object->points.size());
+  const auto first_uv = static_cast<uint32_t>(object->uvs.size());
+  object->points.insert(object->points.end(), child.points.begin(), child.points.end());
+  object->uvs.insert(object->uvs.end(), child.uvs.begin(), child.uvs.end());
+  std::vector<uint32_t> part_of(child.parts.size(), 0);
+  const std::string own = name.empty() ? "" : numbered(name, uses);
+  for (size_t i = 0; i < child.parts.size(); ++i) {
+    const std::string& part = child.parts[i];
+    if (own.empty() && part.empty()) continue;  // belongs to the object itself
+    part_of[i] = static_cast<uint32_t>(object->parts.size());
+    object->parts.push_back(own.empty() ? numbered(part, uses) : part.empty() ? own : own + "/" + part);
+  }
+  for (PovFacet facet : child.facets) {
+    for (uint32_t& corner : facet.corners) corner += first_point;
+    for (uint32_t& uv : facet.uvs) uv += first_uv;
+    facet.part = part_of[facet.part];
+    object->facets.push_back(std::move(facet));
+  }
+  object->lights.insert(object->lights.end(), child.lights.begin(), child.lights.end());
+  object->problems.insert(object->problems.end(), child.problems.begin(), child.problems.end());
+  object->notes.insert(object->notes.end(), child.notes.begin(), child.notes.end());
+  if (child.plane) object->problems.push_back({"plane without bounds (clipped_by a box)", child.place});
+}
+
+}  // namespace
+
+std::optional<PovValue> PovSceneReader::describe(std::string_view word) {
+  if (is_object(word) || is_unknown_object(word)) return std::make_shared<const PovObject>(object());
+  if (take_if("texture")) {
+    PovTexture texture = texture_block(default_texture_);
+    // Of layers, the last is on top.
+    while (next_is_plainly("texture")) take(), texture = texture_block(default_texture_);
+    return texture;
+  }
+  if (take_if("material")) return material_block(default_texture_);
+  if (take_if("pigment")) return pigment_block(default_texture_.pigment);
+  if (take_if("finish")) return finish_block(default_texture_.finish);
+  if (take_if("transform")) return transform_block();
+  if (take_if("light_source")) return light_block();
+  if (take_if("camera")) return camera_block();
+  if (PovTransform one; transformation(&one)) return one;
+  return {};
+}
+
+void PovSceneReader::read(const std::string& path) {
+  open(path);
+  while (peek().kind != PovKind::kEnd) statement();
+}
+
+void PovSceneReader::statement() {
+  const PovPlace at = place();
+  if (take_if(";")) return;
+  if (peek().kind != PovKind::kWord) fail_expected("an object, a light or a directive");
+  const std::string word(peek().text);
+  if (is_object(word) || is_unknown_object(word)) {
+    std::string name;
+    PovObject made = object(&name);
+    const PovSurfacePointer plain = surface_of(default_texture_);
+    for (PovFacet& facet : made.facets)
+      if (!facet.surface) facet.surface = plain;
+    if (made.plane) made.problems.push_back({"plane without bounds (clipped_by a box)", at});
+    placed_.push_back({name, std::move(made)});
+  } else if (take_if("light_source")) {
+    PovObject carrier;
+    carrier.lights.push_back(light_block());
+    placed_.push_back({"light_source", std::move(carrier)});
+  } else if (take_if("camera")) {
+    camera_ = camera_block();
+  } else if (take_if("global_settings")) {
+    skip_block();
+  } else if (take_if("background")) {
+    expect("{");
+    if (!is_black(colour())) refuse({"background light", at});
+    expect("}");
+  } else if (is_one_of(word, {"sky_sphere", "fog", "rainbow", "media", "photons"})) {
+    refuse({word, at});
+    skip_item();
+  } else {
+    if (!options_.skip_unknown) fail_expected("an object, a light or a directive");
+    refuse({in_quotes(word), at});
+    skip_item();
+  }
+}
+
+PovObject PovSceneReader::object(std::string* name) {
+  const Deeper deeper(this);
+  const PovPlace at = place();
+  const std::string kind(take().text);
+  PovObject made;
+  made.place = at;
+  if (is_unknown_object(kind)) {
+    skip_block();
+    made.problems.push_back({kind, at});
+  } else {
+    expect("{");
+    std::string declared;
+    if (auto known = named<std::shared_ptr<const PovObject>>(&declared)) {
+      made = **known;
+      for (PovLight& light : made.lights)
+        if (light.name.empty()) light.name = declared;
+    } else {
+      made = shape(kind, &declared);
+    }
+    made.place = at;
+    modifiers(&made);
+    if (name) *name = declared.empty() ? kind : declared;
+  }
+  return made;
+}
+
+PovObject PovSceneReader::shape(const std::string& kind, std::string* name) {
+  if (kind == "box") {
+    const Vec3 corner = vector();
+    skip_comma();
+    return pov_box(corner, vector());
+  }
+  if (kind == "sphere") return sphere_shape();
+  if (kind == "cylinder" || kind == "cone") return cone_shape(kind == "cylinder");
+  if (kind == "disc") return disc_shape();
+  if (kind == "plane") return plane_shape();
+  if (kind == "triangle" || kind == "smooth_triangle") return triangle_shape(kind == "smooth_triangle");
+  if (kind == "polygon") return polygon_shape();
+  if (kind == "mesh") return mesh_shape();
+  if (kind == "mesh2") return mesh2_shape();
+  if (kind == "union" || kind == "merge") return union_shape();
+  // object { ... }: a light, or another object
+  PovObject made;
+  if (auto light = named<PovLight>(name)) {
+    made.lights.push_back(*light);
+    made.lights.back().name = *name;
+    return made;
+  }
+  if (take_if("light_source")) {
+    made.lights.push_back(light_block());
+    return made;
+  }
+  if (peek().kind != PovKind::kWord || !(is_object(peek().text) || is_unknown_object(peek().text)))
+    fail_expected("an object");
+  return object();
+}
+
+PovObject PovSceneReader::union_shape() {
+  PovObject made;
+  made.compound = true;
+  std::map<std::string, int> uses;
+  while (peek().kind == PovKind::kWord) {
+    if (is_object(peek().text) || is_unknown_object(peek().text)) {
+      const bool may_be_named = next_is("object");
+      std::string name;
+      const PovObject child = object(&name);
+      add_child(&made, &uses, child, may_be_named && name != "object" ? name : "");
+    } else if (take_if("light_source")) {
+      made.lights.push_back(light_block());
+    } else {
+      break;
+    }
+  }
+  return made;
+}
+
+// clipped_by or bounded_by { a convex object }: what a plane needs. It moves with the plane from here on.
+void PovSceneReader::clip(PovObject* object, Modifiers* modifiers) {
+  const PovPlace at = place();
+  take();
+  expect("{");
+  if (peek().kind != PovKind::kWord || !is_object(peek().text)) fail_expected("a box that bounds the plane");
+  const PovObject bounds = this->object();
+  expect("}");
+  move_object(object, modifiers->transform);
+  modifiers->transform = {};
+  PovObject cut = pov_bounded_plane(*object->plane, bounds);
+  cut.problems = bounds.problems;
+  cut.place = object->place;
+  if (cut.facets.empty()) cut.notes.push_back({"plane outside its bounds left out", at});
+  *object = std::move(cut);
+}
+
+bool PovSceneReader::modifier(Modifiers* modifiers, PovObject* object) {
+  const PovPlace at = place();
+  PovTexture base = modifiers->texture.value_or(default_texture_);
+  if (transformation(&modifiers->transform)) return true;
+  if (take_if("texture")) {
+    modifiers->texture = texture_block(default_texture_);
+  } else if (take_if("material")) {
+    modifiers->texture = material_block(default_texture_);
+  } else if (take_if("pigment")) {
+    base.name.clear();
+    base.place = at;
+    base.pigment = pigment_block(default_texture_.pigment);
+    modifiers->texture = base;
+  } else if (take_if("finish")) {
+    base.place = at;
+    base.finish = finish_block(default_texture_.finish);
+    modifiers->texture = base;
+  } else if (take_if("no_shadow")) {
+    modifiers->no_shadow = true;
+  } else if (take_if("no_image")) {
+    object->problems.push_back({"no_image", at});
+  } else if (object->plane && (next_is("clipped_by") || next_is("bounded_by"))) {
+    clip(object, modifiers);
+  } else if (next_is("clipped_by")) {
+    object->problems.push_back({"clipped_by", at});
+    skip_item();
+  } else if (next_is("inverse") || next_is("hollow") || next_is("no_reflection") ||
+             next_is("double_illuminate") || next_is("sturm") || next_is("hierarchy") ||
+             next_is("split_union") || next_is("uv_mapping") || next_is("smooth") ||
+             next_is("no_radiosity")) {
+    take();
+    if (expression_is_next()) numbers();
+  } else if (next_is("normal") || next_is("interior") || next_is("interior_texture") ||
+             next_is("bounded_by") || next_is("photons") || next_is("radiosity") ||
+             next_is("inside_vector")) {
+    skip_item();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void PovSceneReader::modifiers(PovObject* object) {
+  Modifiers found;
+  while (!take_if("}")) {
+    if (modifier(&found, object)) continue;
+    if (peek().kind != PovKind::kWord) fail_expected("an object's modifier or }");
+    object->problems.push_back({"object modifier " + in_quotes(peek().text), place()});
+    skip_item();
+  }
+  finish_object(object, found);
+}
+
+void PovSceneReader::finish_object(PovObject* object, const Modifiers& modifiers) {
+  move_object(object, modifiers.transform);
+  for (PovFacet& facet : object->facets) facet.no_shadow = facet.no_shadow || modifiers.no_shadow;
+  if (!modifiers.texture) return;
+  const PovSurfacePointer surface = surface_of(*modifiers.texture);
+  for (PovFacet& facet : object->facets)
+    if (!facet.surface || !object->compound) facet.surface = surface;
+}
+
+}  // namespace strad

@@ -1,0 +1,95 @@
+// What POV-Ray's language describes: textures, objects, lights and the camera.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "import/pov/language.h"
+
+namespace strad {
+
+// The lists of a mesh2, as far as they are no points.
+struct PovMeshLists {
+  struct Face {
+    std::array<int, 3> corners{}, textures{};
+    int texture_count = 0;  // 0, 1 or 3
+    uint32_t line = 0;
+  };
+  std::vector<Face> faces;
+  std::vector<std::array<int, 3>> uv_faces;
+  std::vector<PovSurfacePointer> surfaces;
+  std::string file;
+};
+
+class PovSceneReader : public PovLanguage {
+ public:
+  using PovLanguage::PovLanguage;
+
+  struct Placed {
+    std::string name;  // of the declaration it comes from, or what it is
+    PovObject object;
+  };
+
+  // All that stands in the file at `path`. Throws IoError or BadInput.
+  void read(const std::string& path);
+
+  const std::vector<Placed>& placed() const { return placed_; }
+  const std::optional<PovCamera>& camera() const { return camera_; }
+
+ protected:
+  std::optional<PovValue> describe(std::string_view word) override;
+  void default_block() override;
+
+ private:
+  void statement();
+  void skip_item();  // a word and what belongs to it
+
+  // Textures, in import_pov_textures.cpp. Each from its opening brace.
+  PovTexture texture_block(const PovTexture& base);
+  PovPigment pigment_block(const PovPigment& base);
+  PovFinish finish_block(const PovFinish& base);
+  PovTexture material_block(const PovTexture& base);
+  std::shared_ptr<const PovImage> image_block();
+  PovSurfacePointer surface_of(const PovTexture& texture);
+  static PovSurfacePointer mean_of(const PovSurfacePointer& a, const PovSurfacePointer& b,
+                                   const PovSurfacePointer& c);
+
+  // Objects, in import_pov_objects.cpp, import_pov_primitives.cpp and import_pov_meshes.cpp.
+  struct Modifiers {
+    PovTransform transform;
+    std::optional<PovTexture> texture;
+    bool no_shadow = false, no_image = false;
+  };
+  PovObject object(std::string* name = nullptr);  // from its word
+  PovObject shape(const std::string& kind, std::string* name);
+  PovObject sphere_shape();
+  PovObject cone_shape(bool is_cylinder);
+  PovObject disc_shape();
+  PovObject plane_shape();
+  PovObject triangle_shape(bool smooth);
+  PovObject polygon_shape();
+  PovObject union_shape();
+  PovObject mesh_shape();
+  PovObject mesh2_shape();
+  PovMeshLists mesh2_lists(PovObject* made);
+  void mesh2_face(PovMeshLists* lists);
+  std::array<int, 3> index_triple();
+  void clip(PovObject* object, Modifiers* modifiers);
+  void modifiers(PovObject* object);
+  bool modifier(Modifiers* modifiers, PovObject* object);
+  bool transformation(PovTransform* transform);  // one, if it is next
+  PovTransform transform_block();
+  PovTransform matrix();
+  void finish_object(PovObject* object, const Modifiers& modifiers);
+
+  // Lights and camera, in import_pov_lights.cpp. Each from its opening brace.
+  PovLight light_block();
+  void light_item(PovLight* light);
+  PovCamera camera_block();
+
+  std::vector<Placed> placed_;
+  std::optional<PovCamera> camera_;
+  PovTexture default_texture_;
+};
+
+}  // namespace strad

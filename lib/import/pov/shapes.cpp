@@ -1,0 +1,178 @@
+// POV-Ray's round and boxy objects as flat facets.
+#include "import/pov/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace strad {
+namespace {
+
+void add_facet(PovObject* object, std::vector<uint32_t> corners) {
+  PovFacet facet;
+  facet.corners = std::move(corners);
+  object->facets.push_back(std::move(facet));
+}
+
+// Points of a regular polygon, counter-clockwise seen against the frame's normal; returns the first one's
+// index.
+uint32_t add_ring(PovObject* object, Vec3 centre, const Frame& frame, double radius, int sides) {
+  const auto first = static_cast<uint32_t>(object->points.size());
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * kPi * i / sides;
+    object->points.push_back(centre +
+                             radius * (std::cos(angle) * frame.tangent + std::sin(angle) * frame.bitangent));
+  }
+  return first;
+}
+
+// Quads, or triangles where a ring is a single point, between two rings; outwards if `upper` is along the
+// normal.
+void add_band(PovObject* object, uint32_t lower, bool lower_point, uint32_t upper, bool upper_point,
+              int sides) {
+  for (int i = 0; i < sides; ++i) {
+    const uint32_t a = static_cast<uint32_t>(i), b = static_cast<uint32_t>((i + 1) % sides);
+    if (lower_point) {
+      add_facet(object, {lower, upper + b, upper + a});
+    } else if (upper_point) {
+      add_facet(object, {lower + a, lower + b, upper});
+    } else {
+      add_facet(object, {lower + a, lower + b, upper + b, upper + a});
+    }
+  }
+}
+
+void add_lid(PovObject* object, uint32_t ring, int sides, bool upwards) {
+  std::vector<uint32_t> corners;
+  for (int i = 0; i < sides; ++i)
+    corners.push_back(ring + static_cast<uint32_t>(upwards ? i : sides - 1 - i));
+  add_facet(object, std::move(corners));
+}
+
+PovPlane transformed(const PovPlane& plane, const PovTransform& by) {
+  const Frame frame = frame_about(plane.normal);
+  const Vec3 across = cross(by.direction(frame.tangent), by.direction(frame.bitangent));
+  const Vec3 normal = (by.mirrors() ? -1 : 1) * normalized(across);
+  return {normal, dot(normal, by.point(plane.distance * plane.normal))};
+}
+
+}  // namespace
+
+PovObject pov_box(Vec3 corner, Vec3 opposite) {
+  Box box;
+  box.add(corner);
+  box.add(opposite);
+  PovObject object;
+  for (uint32_t i = 0; i < 8; ++i) {
+    object.points.push_back({i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
+                             i & 4 ? box.upper.z : box.lower.z});
+  }
+  for (const auto& corners : {std::vector<uint32_t>{0, 4, 6, 2},
+                              {1, 3, 7, 5},
+                              {0, 1, 5, 4},
+                              {2, 6, 7, 3},
+                              {0, 2, 3, 1},
+                              {4, 5, 7, 6}})
+    add_facet(&object, corners);
+  return object;
+}
+
+PovObject pov_sphere(Vec3 centre, double radius, int sides) {
+  PovObject object;
+  const int bands = std::max(2, sides / 2);
+  const Frame frame{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
+  radius = std::abs(radius);
+  object.points = {centre - radius * frame.normal};
+  uint32_t last = 0;
+  for (int band = 1; band <= bands; ++band) {
+    const double angle = kPi * band / bands - kPi / 2;
+    const Vec3 middle = centre + radius * std::sin(angle) * frame.normal;
+    const bool top = band == bands;
+    const uint32_t ring = top ? static_cast<uint32_t>(object.points.size())
+                              : add_ring(&object, middle, frame, radius * std::cos(angle), sides);
+    if (top) object.points.push_back(centre + radius * frame.normal);
+    add_band(&object, last, band == 1, ring, top, sides);
+    last = ring;
+  }
+  return object;
+}
+
+PovObject pov_cone(Vec3 base, double base_radius, Vec3 cap, double cap_radius, int sides, bool open) {
+  PovObject object;
+  const Frame frame = frame_about(normalized(cap - base));
+  base_radius = std::abs(base_radius);
+  cap_radius = std::abs(cap_radius);
+  const auto ring = [&](Vec3 centre, double radius) {
+    if (radius > 0) return add_ring(&object, centre, frame, radius, sides);
+    object.points.push_back(centre);
+    return static_cast<uint32_t>(object.points.size() - 1);
+  };
+  const uint32_t lower = ring(base, base_radius), upper = ring(cap, cap_radius);
+  if (base_radius > 0 || cap_radius > 0)
+    add_band(&object, lower, !(base_radius > 0), upper, !(cap_radius > 0), sides);
+  if (!open && base_radius > 0) add_lid(&object, lower, sides, false);
+  if (!open && cap_radius > 0) add_lid(&object, upper, sides, true);
+  return object;
+}
+
+PovObject pov_disc(Vec3 centre, Vec3 normal, double radius, double hole_radius, int sides) {
+  PovObject object;
+  const Frame frame = frame_about(normalized(normal));
+  const uint32_t rim = add_ring(&object, centre, frame, std::abs(radius), sides);
+  if (!(hole_radius > 0)) {
+    add_lid(&object, rim, sides, true);
+  } else {
+    const uint32_t hole = add_ring(&object, centre, frame, hole_radius, sides);
+    add_band(&object, rim, false, hole, false, sides);
+  }
+  return object;
+}
+
+PovObject pov_bounded_plane(const PovPlane& plane, const PovObject& bounds) {
+  PovObject object;
+  Box box;
+  for (const Vec3 p : bounds.points) box.add(p);
+  const Frame frame = frame_about(plane.normal);
+  const Vec3 centre = box.centre() + (plane.distance - dot(box.centre(), plane.normal)) * plane.normal;
+  const double reach = 2 * box.diagonal();
+  std::vector<Vec3> outline;
+  for (const auto& [u, v] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+    outline.push_back(centre + reach * (u * frame.tangent + v * frame.bitangent));
+  for (const PovFacet& side : bounds.facets) {  // Sutherland & Hodgman 1974
+    const Vec3 at = bounds.points[side.corners[0]];
+    const Vec3 out =
+        normalized(cross(bounds.points[side.corners[1]] - at, bounds.points[side.corners[2]] - at));
+    // Many planes lie in a side of their box: they are within.
+    const double slack = 1e-9 * box.diagonal();
+    std::vector<Vec3> kept;
+    for (size_t i = 0; i < outline.size(); ++i) {
+      const Vec3 a = outline[i], b = outline[(i + 1) % outline.size()];
+      const double outside_a = dot(a - at, out) - slack, outside_b = dot(b - at, out) - slack;
+      if (outside_a <= 0) kept.push_back(a);
+      if ((outside_a <= 0) != (outside_b <= 0))
+        kept.push_back(lerp(a, b, outside_a / (outside_a - outside_b)));
+    }
+    outline = std::move(kept);
+  }
+  if (outline.size() < 3) return object;
+  object.points = std::move(outline);
+  add_lid(&object, 0, static_cast<int>(object.points.size()), true);
+  return object;
+}
+
+void move_object(PovObject* object, const PovTransform& by) {
+  if (object->plane) object->plane = transformed(*object->plane, by);
+  for (Vec3& point : object->points) point = by.point(point);
+  for (PovLight& light : object->lights) {
+    light.location = by.point(light.location);
+    light.point_at = by.point(light.point_at);
+    light.axis1 = by.direction(light.axis1);
+    light.axis2 = by.direction(light.axis2);
+  }
+  if (!by.mirrors()) return;
+  for (PovFacet& facet : object->facets) {
+    std::reverse(facet.corners.begin(), facet.corners.end());
+    std::reverse(facet.uvs.begin(), facet.uvs.end());
+  }
+}
+
+}  // namespace strad

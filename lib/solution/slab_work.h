@@ -1,0 +1,28 @@
+// What the solve of a slab did, told along with it: an ancillary chunk `work` before the solution.
+//
+// Counts only, which are the same for any number of threads; what it cost is for `strad-solve --stats`.
+#pragma once
+
+#include <vector>
+
+#include "solution/solution.h"
+#include "stream/chunk.h"
+
+namespace strad {
+
+constexpr ChunkType kWorkChunk = chunk_type("work");
+
+struct SlabWork {
+  double begin = 0, end = 0;  // s, of the slab
+  uint64_t clusters = 0, links = 0, links_refined_in_time = 0, links_refined_in_space = 0;
+  uint64_t kernel_evaluations = 0, rays = 0, iterations = 0;
+};
+
+Chunk encode_work(const SlabWork& work);
+// Throws BadInput.
+SlabWork decode_work(ByteSpan content, const std::string& place);
+
+// Takes out what tells of slabs that are no more.
+void drop_work(std::vector<Chunk>* chunks);
+
+}  // namespace strad

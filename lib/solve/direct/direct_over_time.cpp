@@ -1,0 +1,81 @@
+#include "solve/direct/direct_over_time.h"
+
+#include <algorithm>
+
+namespace strad {
+
+DirectOverTime::DirectOverTime(const Scene& scene, const Tracer& tracer, const TimeGrid& grid,
+                               const SweptBounds& swept, const std::vector<Instant>& instants, int samples)
+    : scene_(scene),
+      tracer_(tracer),
+      grid_(grid),
+      swept_(swept),
+      instants_(instants),
+      light_(scene, tracer),
+      samples_(samples),
+      all_lit_(instants.front()) {
+  for (const Instant& instant : instants)
+    for (size_t m = 0; m < instant.glow.size(); ++m)
+      all_lit_.glow[m] = std::max(all_lit_.glow[m], instant.glow[m]);
+  for (uint32_t b = 0; b < scene.bodies.size(); ++b) {
+    moving_mask_.push_back(swept.moves(b));
+    still_mask_.push_back(!moving_mask_.back());
+  }
+}
+
+void DirectOverTime::add_still_emitters(const SurfacePoint& point, const std::vector<uint32_t>& nodes,
+                                        uint64_t seed, std::vector<Rgb>* values, uint64_t* rays) const {
+  const Vec3 lifted = point.position + tracer_.offset() * point.normal;
+  std::vector<EmitterSample> free;  // nothing ever passes between, by material
+  for (const EmitterSample& sample :
+       light_.emitter_samples(all_lit_, point, samples_, seed, DirectLight::Which::kStill)) {
+    ++*rays;
+    if (tracer_.occluded_by(all_lit_.world_from_body, still_mask_, lifted, sample.target)) continue;
+    const Vec3 towards = sample.target - lifted;
+    if (!swept_.may_meet(lifted, towards, 1)) {
+      if (free.empty() || free.back().material != sample.material) free.push_back({{}, 0, sample.material});
+      free.back().irradiance += sample.irradiance;
+      continue;
+    }
+    for (size_t i = 0; i < nodes.size(); ++i) {
+      const Instant& instant = instants_[nodes[i]];
+      const uint32_t cell = nodes[i] / static_cast<uint32_t>(grid_.order);
+      if (swept_.may_meet_in(cell, lifted, towards, 1)) {
+        ++*rays;
+        if (tracer_.occluded_by(instant.world_from_body, moving_mask_, lifted, sample.target)) continue;
+      }
+      (*values)[i] +=
+          (sample.irradiance * instant.glow[sample.material]) * scene_.materials[sample.material].emission;
+    }
+  }
+  for (const EmitterSample& sum : free)
+    for (size_t i = 0; i < nodes.size(); ++i)
+      (*values)[i] +=
+          (sum.irradiance * instants_[nodes[i]].glow[sum.material]) * scene_.materials[sum.material].emission;
+}
+
+std::vector<Rgb> DirectOverTime::irradiance(const RestPoint& rest, const std::vector<uint32_t>& nodes,
+                                            uint64_t seed, uint64_t* rays) const {
+  std::vector<Rgb> values(nodes.size());
+  const uint32_t body = body_of(scene_, scene_.polygons[rest.polygon]);
+  const auto at = [&](const Instant& instant) {
+    const Pose& pose = instant.world_from_body[body];
+    return SurfacePoint{pose * rest.position, rotate(pose, rest.normal), rest.polygon};
+  };
+  if (swept_.moves(body)) {
+    for (size_t i = 0; i < nodes.size(); ++i)
+      values[i] = light_.irradiance(instants_[nodes[i]], at(instants_[nodes[i]]), samples_, seed, rays);
+    return values;
+  }
+  const SurfacePoint point = at(all_lit_);
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    const Instant& instant = instants_[nodes[i]];
+    values[i] = light_.spots(instant, point, rays);
+    if (light_.has_moving_emitters())
+      values[i] += light_.emitters(instant, point, samples_, seed, DirectLight::Which::kMoving, rays);
+  }
+  add_still_emitters(point, nodes, seed, &values, rays);
+  return values;
+}
+
+}  // namespace strad

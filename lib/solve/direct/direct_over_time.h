@@ -1,0 +1,48 @@
+// Direct light at one point over many dates.
+//
+// A point at rest looks at lamps at rest in the same way at all dates but while a moving body may pass
+// between: their visibility is found once, and again only then.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "light/direct.h"
+#include "solve/prepare/swept.h"
+#include "time/time_grid.h"
+
+namespace strad {
+
+// A point of a polygon, rest.
+struct RestPoint {
+  Vec3 position;
+  Vec3 normal;  // unit, of the side that receives
+  uint32_t polygon = kNone;
+};
+
+class DirectOverTime {
+ public:
+  // Keeps references. `instants`: one a node of the grid. `samples`: see DirectLight::emitter_samples.
+  DirectOverTime(const Scene& scene, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
+                 const std::vector<Instant>& instants, int samples);
+
+  // Irradiance at the given nodes of the grid, W / m^2. Equal `seed` gives equal shadow points.
+  std::vector<Rgb> irradiance(const RestPoint& point, const std::vector<uint32_t>& nodes, uint64_t seed,
+                              uint64_t* rays) const;
+
+ private:
+  void add_still_emitters(const SurfacePoint& point, const std::vector<uint32_t>& nodes, uint64_t seed,
+                          std::vector<Rgb>* values, uint64_t* rays) const;
+
+  const Scene& scene_;
+  const Tracer& tracer_;
+  const TimeGrid& grid_;
+  const SweptBounds& swept_;
+  const std::vector<Instant>& instants_;
+  DirectLight light_;
+  int samples_;
+  Instant all_lit_;  // where no glow is off
+  std::vector<bool> still_mask_, moving_mask_;
+};
+
+}  // namespace strad

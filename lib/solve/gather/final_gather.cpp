@@ -1,0 +1,274 @@
+#include "solve/gather/final_gather.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/rng.h"
+
+namespace strad {
+namespace {
+
+constexpr uint32_t kNothing = 0xfffffffeu;  // the ray leaves the scene: no light, but an open view
+constexpr uint32_t kDead = 0xffffffffu;     // a surface that no light reaches
+
+constexpr float kFree = 0.95f;  // a view as open as this is not blocked
+
+}  // namespace
+
+FinalGather::FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid,
+                         const SweptBounds& swept, const LightFunctions& radiance, int rays)
+    : tree_(tree), tracer_(tracer), grid_(grid), swept_(swept), radiance_(radiance), rays_(rays) {
+  const size_t bodies = tree.scene().bodies.size();
+  for (size_t b = 0; b < bodies; ++b) {
+    moving_mask_.push_back(swept.moves(static_cast<uint32_t>(b)));
+    still_mask_.push_back(!moving_mask_.back());
+  }
+}
+
+// Cosine-distributed about the normal, rest: R2 points on the disk (Malley's method), shifted for each point.
+Vec3 FinalGather::direction(const Receiver& receiver, int ray) const {
+  const double u0 = unit_from(mix64(receiver.seed)), v0 = unit_from(mix64(receiver.seed + 1));
+  const Point2 xi = r2_point(static_cast<uint32_t>(ray), u0, v0);
+  const double r = std::sqrt(xi.u), phi = 2 * kPi * xi.v;
+  const Frame frame = frame_about(receiver.normal);
+  return r * std::cos(phi) * frame.tangent + r * std::sin(phi) * frame.bitangent +
+         std::sqrt(std::max(0.0, 1 - xi.u)) * frame.normal;
+}
+
+Vec3 FinalGather::origin(const Receiver& receiver, int ray) const {
+  Vec3 at = receiver.position;
+  if (receiver.spread) {
+    const Point2 xi = r2_point(static_cast<uint32_t>(ray), unit_from(mix64(receiver.seed + 2)),
+                               unit_from(mix64(receiver.seed + 3)));
+    // Not in step with the directions, which follow the same sequence.
+    const uint64_t h = hash_of(receiver.seed, static_cast<uint64_t>(ray));
+    at = point_on_patch(receiver.patch, 0.02 + 0.96 * xi.v, 0.02 + 0.96 * unit_from(h));
+  }
+  return at + tracer_.offset() * receiver.normal;
+}
+
+uint32_t FinalGather::light_of(const SurfaceHit& hit) const {
+  if (hit.polygon == kNone) return kNothing;
+  const uint32_t light = tree_.light_at(hit.polygon, hit.front ? 0 : 1, hit.rest_point);
+  return light == kNone ? kDead : light;
+}
+
+void FinalGather::add(uint32_t light, uint32_t first_date, uint32_t date_count, const float* weights,
+                      GatheredFunction* to) const {
+  if (light == kNothing) return;
+  if (light == kDead) {
+    for (uint32_t i = 0; i < date_count; ++i) to->open[first_date + i] -= weights[i];
+    return;
+  }
+  radiance_.add(light, first_date, date_count, weights, &to->irradiance[first_date]);
+}
+
+GatheredFunction FinalGather::at_rest(const Receiver& receiver, uint64_t* rays) const {
+  const std::vector<Pose>& poses = swept_.cell_begin_poses(0);
+  const uint32_t cells = grid_.cell_count(), order = static_cast<uint32_t>(grid_.order);
+  const Pose& pose = poses[receiver.body];
+  GatheredFunction sum{std::vector<Rgb>(grid_.node_count()), std::vector<float>(grid_.node_count(), 1.0f)};
+  const float share = 1.0f / static_cast<float>(receiver.rays);
+  std::vector<uint32_t> always;  // leaves seen at all dates
+  std::vector<float> weights(grid_.node_count());
+  std::vector<uint32_t> at_begin(cells), at_end(cells);
+  for (int r = 0; r < receiver.rays; ++r) {
+    const Vec3 from = pose * origin(receiver, r), towards = rotate(pose, direction(receiver, r));
+    const SurfaceHit behind = tracer_.closest_of(poses, still_mask_, from, towards, 1e30);
+    ++*rays;
+    const uint32_t behind_leaf = light_of(behind);
+    const double reach = behind.polygon == kNone ? 1e30 : behind.distance;
+    if (!swept_.may_meet(from, towards, reach)) {
+      always.push_back(behind_leaf);
+      continue;
+    }
+    // What the ray sees at both ends of each cell.
+    bool changes = false;
+    const auto seen_at = [&](uint32_t cell, const std::vector<Pose>& at) {
+      if (!swept_.may_meet_in(cell, from, towards, reach)) return behind_leaf;
+      ++*rays;
+      const SurfaceHit hit = tracer_.closest_of(at, moving_mask_, from, towards, reach);
+      if (hit.polygon == kNone) return behind_leaf;
+      changes = true;
+      return light_of(hit);
+    };
+    for (uint32_t c = 0; c < cells; ++c) {
+      const bool first_of_span = grid_.spans[span_of_cell(grid_, c)].first_cell == c;
+      at_begin[c] = first_of_span ? seen_at(c, swept_.cell_begin_poses(c)) : at_end[c - 1];
+      at_end[c] = seen_at(c, swept_.cell_end_poses(c));
+    }
+    if (!changes) {
+      always.push_back(behind_leaf);
+      continue;
+    }
+    // Runs of cells that see the same leaf all along are added at once; elsewhere both ends are blended.
+    for (uint32_t c = 0; c < cells;) {
+      uint32_t run = c;
+      while (run < cells && at_begin[run] == at_begin[c] && at_end[run] == at_begin[c]) ++run;
+      if (run > c) {
+        std::fill_n(weights.begin(), (run - c) * order, share);
+        add(at_begin[c], c * order, (run - c) * order, weights.data(), &sum);
+        c = run;
+        continue;
+      }
+      for (uint32_t k = 0; k < order; ++k)
+        weights[k] = share * static_cast<float>(1 - gauss_nodes(grid_.order)[k]);
+      add(at_begin[c], c * order, order, weights.data(), &sum);
+      for (uint32_t k = 0; k < order; ++k) weights[k] = share - weights[k];
+      add(at_end[c], c * order, order, weights.data(), &sum);
+      ++c;
+    }
+  }
+  std::sort(always.begin(), always.end());
+  for (size_t i = 0; i < always.size();) {
+    size_t j = i;
+    while (j < always.size() && always[j] == always[i]) ++j;
+    std::fill(weights.begin(), weights.end(), share * static_cast<float>(j - i));
+    add(always[i], 0, grid_.node_count(), weights.data(), &sum);
+    i = j;
+  }
+  return sum;
+}
+
+GatheredFunction FinalGather::in_motion(const Receiver& receiver, uint64_t* rays) const {
+  const uint32_t order = static_cast<uint32_t>(grid_.order);
+  GatheredFunction sum{std::vector<Rgb>(grid_.node_count()), std::vector<float>(grid_.node_count(), 1.0f)};
+  // Two sets of rays are blended at each date, so half of the rays in each give the same noise.
+  const int ray_count = std::max(1, receiver.rays / 2);
+  const float share = 1.0f / static_cast<float>(ray_count);
+  std::vector<std::pair<Vec3, Vec3>> rest_rays;  // the same at all dates
+  for (int r = 0; r < ray_count; ++r) rest_rays.emplace_back(origin(receiver, r), direction(receiver, r));
+  const auto look = [&](const std::vector<Pose>& poses) {
+    const Pose& pose = poses[receiver.body];
+    std::vector<uint32_t> seen;
+    for (const auto& [from, towards] : rest_rays)
+      seen.push_back(light_of(tracer_.closest(poses, pose * from, rotate(pose, towards))));
+    *rays += static_cast<uint64_t>(ray_count);
+    std::sort(seen.begin(), seen.end());
+    return seen;
+  };
+  std::vector<float> weights;
+  for (const Span& span : grid_.spans) {
+    const uint32_t cells = 1u << span.log2_cells;
+    const uint32_t step = std::max(1u, cells / 32);
+    std::vector<uint32_t> before = look(swept_.cell_begin_poses(span.first_cell));
+    for (uint32_t c = 0; c < cells; c += step) {
+      const uint32_t first = span.first_cell + c;
+      std::vector<uint32_t> after = look(swept_.cell_end_poses(first + step - 1));
+      const uint32_t dates = step * order;
+      weights.resize(2 * dates);
+      const auto blend = [&](const std::vector<uint32_t>& seen, bool rising) {
+        for (size_t i = 0; i < seen.size();) {
+          size_t j = i;
+          while (j < seen.size() && seen[j] == seen[i]) ++j;
+          for (uint32_t d = 0; d < dates; ++d) {
+            const double s = (d / order + gauss_nodes(grid_.order)[d % order]) / step;
+            weights[d] = share * static_cast<float>(j - i) * static_cast<float>(rising ? s : 1 - s);
+          }
+          add(seen[i], first * order, dates, weights.data(), &sum);
+          i = j;
+        }
+      };
+      blend(before, false);
+      blend(after, true);
+      before = std::move(after);
+    }
+  }
+  return sum;
+}
+
+FinalGather::Receiver FinalGather::receiver_on(uint32_t face, Vec3 position, uint64_t seed) const {
+  const MeshBuilder& builder = tree_.builder();
+  Receiver receiver;
+  receiver.position = position;
+  receiver.normal = tree_.face_normal(face);
+  receiver.body = body_of(tree_.scene(), tree_.scene().polygons[builder.mesh().faces[face].polygon]);
+  receiver.seed = seed;
+  receiver.rays = static_cast<int>(builder.prominence(face) * rays_);
+  return receiver;
+}
+
+FinalGather::Receiver FinalGather::receiver_of_vertex(uint32_t vertex) const {
+  const MeshBuilder& builder = tree_.builder();
+  const uint32_t face = builder.face_of_vertex(vertex);
+  if (is_uniform(builder.mesh().elements[builder.mesh().faces[face].element])) return receiver_of_face(face);
+  return receiver_on(face, builder.sample_point(vertex), hash_of(vertex));
+}
+
+FinalGather::Receiver FinalGather::receiver_of_patch(const Node& n) const {
+  Receiver receiver = receiver_on(n.face, n.centre, hash_of(n.element, 1));
+  receiver.spread = true;
+  receiver.patch = patch_points(tree_, n);
+  return receiver;
+}
+
+FinalGather::Receiver FinalGather::receiver_of_face(uint32_t face) const {
+  Receiver receiver = receiver_on(face, {}, hash_of(face, 2));
+  receiver.spread = true;
+  receiver.patch = face_points(tree_.scene(), tree_.builder().mesh().faces[face]);
+  return receiver;
+}
+
+GatheredFunction FinalGather::gather(const Receiver& receiver, uint64_t* rays) const {
+  GatheredFunction f = swept_.moves(receiver.body) && grid_.cell_count() > 1 ? in_motion(receiver, rays)
+                                                                             : at_rest(receiver, rays);
+  for (Rgb& e : f.irradiance) e = static_cast<float>(kPi) * e;
+  return f;
+}
+
+GatheredFunction FinalGather::at_vertex(uint32_t vertex, uint64_t* rays) const {
+  GatheredFunction f = gather(receiver_of_vertex(vertex), rays);
+  // Where most of the view is blocked by dead surfaces the point is buried: its neighbours will speak for it.
+  for (size_t i = 0; i < f.irradiance.size(); ++i)
+    f.irradiance[i] = (1 / std::max(f.open[i], 0.1f)) * f.irradiance[i];
+  if (*std::min_element(f.open.begin(), f.open.end()) > kFree) f.open = {};
+  return f;
+}
+
+GatheredFunction FinalGather::over_light(uint32_t light, uint64_t* rays) const {
+  const size_t nodes = tree_.nodes().size();
+  return gather(light < nodes ? receiver_of_patch(tree_.nodes()[light])
+                              : receiver_of_face(light - static_cast<uint32_t>(nodes)),
+                rays);
+}
+
+FinalGather::View FinalGather::view_of(const Receiver& receiver) const {
+  const std::vector<Pose>& poses = swept_.cell_begin_poses(grid_.cell_count() / 2);
+  const Pose& pose = poses[receiver.body];
+  int lit = 0, dead = 0;
+  for (int r = 0; r < receiver.rays; ++r) {
+    const uint32_t light =
+        light_of(tracer_.closest(poses, pose * origin(receiver, r), rotate(pose, direction(receiver, r))));
+    dead += light == kDead;
+    lit += light != kDead && light != kNothing;
+  }
+  const auto all = static_cast<float>(receiver.rays);
+  return {static_cast<float>(lit) / all, static_cast<float>(dead) / all};
+}
+
+FinalGather::View FinalGather::view_of(uint32_t n, uint64_t* rays) const {
+  const Node& node = tree_.nodes()[n];
+  *rays += static_cast<uint64_t>(rays_);
+  if (!node.is_cluster()) {
+    Receiver receiver = receiver_of_patch(node);
+    receiver.rays = rays_;
+    return view_of(receiver);
+  }
+  View mean{0, 0};
+  for (int s = 0; s < Cluster::kSamples; ++s) {
+    const SurfaceSample& sample = tree_.cluster(node).samples[s];
+    Receiver receiver;
+    receiver.position = sample.position;
+    receiver.normal = sample.normal;
+    receiver.body = node.body;
+    receiver.seed = hash_of(n, 4, static_cast<uint64_t>(s));
+    receiver.rays = std::max(1, rays_ / Cluster::kSamples);
+    const View view = view_of(receiver);
+    mean.lit += view.lit / Cluster::kSamples;
+    mean.dead += view.dead / Cluster::kSamples;
+  }
+  return mean;
+}
+
+}  // namespace strad

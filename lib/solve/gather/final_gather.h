@@ -1,0 +1,80 @@
+// Indirect irradiance at the vertices of the mesh: one gather by rays over the radiance that the links have
+// found.
+//
+// Links carry light well but mean it over patches; a ray sees exactly what a point sees, near things
+// included. A ray of a vertex at rest needs to be traced again only while a moving body is near it; vertices
+// of moving bodies trace theirs at key dates, and what two neighbouring key dates see is blended between
+// them, with the light of each very date. So the gather is as steady in time as the motion.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/rgb.h"
+#include "light/tracer.h"
+#include "solve/links/nodes.h"
+#include "solve/prepare/swept.h"
+#include "time/light_functions.h"
+#include "time/time_grid.h"
+
+namespace strad {
+
+struct GatheredFunction {
+  std::vector<Rgb>
+      irradiance;  // W / m^2, at every node of the grid, scaled up to what a free hemisphere would get
+  std::vector<float> open;  // at every node: share of the view not blocked by dead surfaces; empty: all of it
+};
+
+class FinalGather {
+ public:
+  // `radiance`: [light] without emission (see NodeTree::light_at). `rays`: of a vertex or light of a large
+  // face; small ones get fewer, by their prominence. Keeps references.
+  FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
+              const LightFunctions& radiance, int rays);
+
+  // At a vertex, or over the uniform face that it stands for.
+  GatheredFunction at_vertex(uint32_t vertex, uint64_t* rays) const;
+  // The mean over a light: each ray starts at another point of it. Not scaled up; `open` always filled.
+  GatheredFunction over_light(uint32_t light, uint64_t* rays) const;
+
+  // What the rays of a leaf meet, as shares of all: surfaces that take part, and dead ones. Where a node is
+  // partly covered (a box stands on it) the covered part sees only the dead inside of what covers it.
+  struct View {
+    float lit = 1, dead = 0;
+  };
+  View view_of(uint32_t node, uint64_t* rays) const;
+
+ private:
+  // Where rays start: all at one point, or spread over a patch; rest.
+  struct Receiver {
+    Vec3 position, normal;
+    uint32_t body = 0;
+    uint64_t seed = 0;
+    bool spread = false;
+    PatchPoints patch{};
+    int rays = 0;
+  };
+  Receiver receiver_on(uint32_t face, Vec3 position, uint64_t seed) const;
+  Receiver receiver_of_vertex(uint32_t vertex) const;
+  Receiver receiver_of_patch(const Node& node) const;
+  Receiver receiver_of_face(uint32_t face) const;
+  View view_of(const Receiver& receiver) const;
+  GatheredFunction gather(const Receiver& receiver, uint64_t* rays) const;
+  GatheredFunction at_rest(const Receiver& receiver, uint64_t* rays) const;
+  GatheredFunction in_motion(const Receiver& receiver, uint64_t* rays) const;
+  Vec3 direction(const Receiver& receiver, int ray) const;
+  Vec3 origin(const Receiver& receiver, int ray) const;
+  uint32_t light_of(const SurfaceHit& hit) const;
+  void add(uint32_t light, uint32_t first_date, uint32_t date_count, const float* weights,
+           GatheredFunction* to) const;
+
+  const NodeTree& tree_;
+  const Tracer& tracer_;
+  const TimeGrid& grid_;
+  const SweptBounds& swept_;
+  const LightFunctions& radiance_;
+  int rays_;
+  std::vector<bool> still_mask_, moving_mask_;
+};
+
+}  // namespace strad

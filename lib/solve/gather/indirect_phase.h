@@ -1,0 +1,65 @@
+// Indirect light on the mesh: a final gather at vertices, refined in space while it surprises.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/rgb.h"
+#include "solve/gather/final_gather.h"
+#include "solve/mesh/mesh_builder.h"
+#include "time/field.h"
+#include "time/packed_function.h"
+#include "time/time_grid.h"
+
+namespace strad {
+
+struct IndirectOptions {
+  double largest_element = 0.8;    // m
+  double smallest_element = 0.05;  // m
+  double smoothed_up_to = 0.4;     // m: neighbours farther apart differ by light more than by noise
+  float tolerance = 0;             // W / m^2: of the functions that are kept
+  float threshold = 0;  // split while surplus radiance * sqrt(area / total area) exceeds it, W / (sr m^2)
+};
+
+class IndirectPhase {
+ public:
+  // Keeps references.
+  IndirectPhase(const Scene& scene, const TimeGrid& grid, const FinalGather& gather,
+                const IndirectOptions& options, MeshBuilder* builder);
+
+  void run();
+
+  // Surpluses of every vertex of the builder's mesh as it is now, with an error about the tolerance.
+  Field surpluses();
+
+  uint64_t rays() const { return rays_; }
+
+ private:
+  // What FinalGather found, at half the memory.
+  struct VertexFunction {
+    TightFunction irradiance;  // W / m^2, at every node of the grid; empty where none was wanted
+    std::vector<float> open;   // as in GatheredFunction
+  };
+  void evaluate(const std::vector<uint32_t>& vertices);
+  bool worth_splitting(uint32_t element) const;
+  bool is_partly_buried(uint32_t element) const;
+  void fill_buried();
+  void take_out_noise();
+  std::vector<std::vector<Rgb>> of_whole_face(uint32_t face, uint64_t* rays) const;
+  VertexFunction filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const;
+  std::vector<Rgb> parents_mean(uint32_t vertex) const;
+  std::vector<uint32_t> last_users_of_functions() const;
+
+  const Scene& scene_;
+  const TimeGrid& grid_;
+  const FinalGather& gather_;
+  IndirectOptions options_;
+  MeshBuilder& builder_;
+  double total_area_ = 0;
+  std::vector<VertexFunction> functions_;  // a vertex; empty where none was wanted
+  std::vector<uint32_t> visited_;          // elements whose corners have functions
+  Field whole_;                            // of the vertices of whole faces
+  uint64_t rays_ = 0;
+};
+
+}  // namespace strad

@@ -1,0 +1,40 @@
+// One gather along all links at a block of dates: irradiance of every node from the radiance of every other.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solve/links/transport.h"
+
+namespace strad {
+
+class LinkGather {
+ public:
+  // Prepares what the links do at the dates. Keeps references.
+  LinkGather(const TransportInput& input, const std::vector<uint32_t>& dates);
+
+  // irradiance[slot] += sum of kernel * radiance[slot]; arrays of 3 * dates floats a slot.
+  void run(const float* radiance, float* irradiance) const;
+
+ private:
+  // One end of a link: a patch, three lobes of a cluster, or all six where it exchanges light with itself.
+  struct End {
+    uint32_t slot[kLobes];
+    float weight[kLobes];
+    int count;
+  };
+  End receiving_end(const Node& p, const Node& q, size_t date) const;
+  End emitting_end(const Node& p, const Node& q, size_t date) const;
+  Vec3 towards(const Node& from, const Node& to, size_t date) const;
+  void add(const Node& p, const Node& q, const float* kernel, const float* radiance, float* irradiance) const;
+  void add_still(const Node& p, const Node& q, float kernel, const float* radiance, float* irradiance) const;
+
+  const NodeTree& tree_;
+  const LinkTable& links_;
+  size_t count_;
+  std::vector<const Instant*> instants_;  // of the dates
+  std::vector<uint32_t> first_dynamic_, emitters_;
+  std::vector<float> kernels_;
+};
+
+}  // namespace strad

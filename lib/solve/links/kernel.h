@@ -1,0 +1,61 @@
+// The kernel of a link: mean irradiance at the receiver from an emitter of unit radiance, visibility
+// included, at quadrature and control points and dates. Either end may be a patch or a cluster; rays run from
+// surface point to surface point, so the shadows that clusters cast on themselves are part of it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "light/direct.h"
+#include "light/tracer.h"
+#include "solve/links/nodes.h"
+#include "solve/prepare/swept.h"
+#include "time/time_grid.h"
+
+namespace strad {
+
+// What refinement needs to know of one candidate link on one interval.
+struct KernelEstimate {
+  // Mean over the receiver at the Gauss dates of the interval, in [0, pi].
+  float kernel[kMaxOrder] = {0, 0, 0};
+  // Rms over control points of the kernel minus the represented one, largest of all dates.
+  float receiver_error = 0;
+  // What an emitter whose radiance differs by 1 (rms) over its parts may add to the irradiance; largest of
+  // all dates.
+  float emitter_error = 0;
+  float time_error = 0;  // rms over control dates of the mean kernel minus the represented one
+  bool dynamic = false;  // the kernel may change on the interval
+  bool known = false;    // somebody has looked
+};
+
+struct KernelCounts {
+  uint64_t rays = 0, evaluations = 0;
+};
+
+class KernelEvaluator {
+ public:
+  KernelEvaluator(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept);
+
+  KernelEstimate estimate(uint32_t receiver, uint32_t emitter, Interval interval, KernelCounts* counts) const;
+
+  // Do the boxes of two nodes, one of them a cluster, meet at one of the dates of the interval? True for a
+  // cluster and itself. Their exchange is no matter of one direction.
+  bool overlap(uint32_t receiver, uint32_t emitter, Interval interval) const;
+
+ private:
+  struct Means;
+  bool can_exchange(const Node& p, const Node& q, const std::vector<Pose>& poses) const;
+  Means sample(const Node& p, const Node& q, uint64_t seed, const std::vector<Pose>& poses, int control,
+               KernelCounts* counts) const;
+  Means sample_patches(const Node& p, const Node& q, uint64_t seed, const std::vector<Pose>& poses,
+                       int control, KernelCounts* counts) const;
+  Means sample_clusters(const Node& p, const Node& q, uint64_t seed, const std::vector<Pose>& poses,
+                        int control, KernelCounts* counts) const;
+
+  const NodeTree& tree_;
+  const Tracer& tracer_;
+  const TimeGrid& grid_;
+  const SweptBounds& swept_;
+};
+
+}  // namespace strad

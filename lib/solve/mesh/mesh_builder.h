@@ -1,0 +1,90 @@
+// Grows the mesh of the solution: faces, their elements split on demand, vertices shared along edges.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "scene/scene.h"
+#include "solution/mesh.h"
+
+namespace strad {
+
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(const Scene& scene);  // keeps a reference
+
+  const Mesh& mesh() const { return mesh_; }
+
+  // The face of that side of a polygon; made with a single element when it is first asked for.
+  uint32_t face(uint32_t polygon, uint32_t side);
+  // Makes the faces of all sides with reached[2 * polygon + side]. Those smaller than `small` (m) are whole,
+  // never to be split: uniform where they are parts of curved surfaces or smaller than half of that, with
+  // vertices of their own at their corners otherwise. Fine flats, whose faces share most corners with
+  // neighbours in their plane, are as large faces.
+  void add_faces(const std::vector<bool>& reached, double small);
+  // Faces below this are whole, and vertices below that are theirs, in the same order.
+  uint32_t whole_faces() const { return whole_faces_; }
+  uint32_t whole_vertices() const { return whole_vertices_; }
+  // By uniform face: those across each of its edges that continue it with little of a bend; none where any of
+  // them is missing.
+  std::vector<std::vector<uint32_t>> curved_neighbours() const;
+  // How much of an error a face shows, by its longest edge: 1/5 (small ones, which may be less exact) to 1.
+  double prominence(uint32_t face) const;
+  // Makes the four children of a leaf; their new vertices go to the end of the list.
+  void split(uint32_t element);
+
+  uint32_t face_of(uint32_t element) const { return face_of_element_[element]; }
+  uint32_t parent_of(uint32_t element) const { return parent_of_element_[element]; }
+  // A point of the surface close to the vertex but inside the element that made it, so that it never lies on
+  // an edge of its polygon; rest. And the face and size (m) of that element.
+  Vec3 sample_point(uint32_t vertex) const { return sample_points_[vertex]; }
+  uint32_t face_of_vertex(uint32_t vertex) const { return face_of_vertex_[vertex]; }
+
+  // Middle of the edge between two vertices, or kNone while no element has split it.
+  uint32_t middle(uint32_t a, uint32_t b) const;
+  // The five (quad) or three (triangle) vertices that splitting has added inside and around a split element.
+  int middles(uint32_t element, uint32_t* vertices) const;
+
+  // Vertices that hang on the edge of a larger leaf: their value must be the mean of their parents' values,
+  // or the surface would be torn. One flag a vertex.
+  std::vector<bool> hanging_vertices() const;
+
+  Mesh take() { return std::move(mesh_); }
+
+ private:
+  struct CornerKey {
+    uint32_t position, body, side;
+    int normal[3];
+    bool operator==(const CornerKey&) const = default;
+  };
+  struct CornerHash {
+    size_t operator()(const CornerKey& key) const;
+  };
+  CornerKey corner_key(uint32_t polygon, uint32_t side, int corner) const;
+  uint32_t begin_face(uint32_t polygon, uint32_t side);
+  uint32_t add_face(uint32_t polygon, uint32_t side);
+  void add_uniform_face(uint32_t polygon, uint32_t side);
+  void add_whole_face(uint32_t polygon, uint32_t side);
+  uint32_t corner_vertex(uint32_t polygon, uint32_t side, int corner);
+  uint32_t add_corner(uint32_t polygon, uint32_t face, int corner);
+  std::vector<bool> curved_polygons(double small) const;
+  bool continues(uint32_t polygon, uint32_t other) const;
+  uint32_t add_vertex(MeshVertex vertex, uint32_t element);
+  uint32_t edge_middle(uint32_t a, uint32_t b, uint32_t element);
+  uint32_t add_element(const Element& element, uint32_t face, uint32_t parent);
+  void mark_hanging(uint32_t a, uint32_t b, std::vector<bool>* hanging) const;
+  Vec3 centre_of(uint32_t element) const;
+
+  const Scene& scene_;
+  Mesh mesh_;
+  double large_ = 0;  // m
+  uint32_t whole_faces_ = 0, whole_vertices_ = 0;
+  std::vector<uint32_t> face_of_element_, parent_of_element_, face_of_vertex_;
+  std::vector<Vec3> sample_points_;
+  std::unordered_map<uint64_t, uint32_t> middle_of_edge_;  // looked up only, never iterated
+  std::vector<uint32_t> position_of_vertex_;  // scene vertex: index of the first at the same place
+  std::unordered_map<CornerKey, uint32_t, CornerHash> corners_;
+};
+
+}  // namespace strad

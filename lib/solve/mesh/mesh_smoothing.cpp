@@ -1,0 +1,114 @@
+#include "solve/mesh/mesh_smoothing.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "solve/mesh/noise.h"
+
+namespace strad {
+namespace {
+
+constexpr double kOpposite = 1e-3;  // of the distance
+
+// Vertices of one class have no neighbours in it, so they may be changed in parallel.
+std::vector<std::vector<uint32_t>> independent_classes(const std::vector<std::vector<NeighbourPair>>& pairs) {
+  std::vector<uint32_t> class_of(pairs.size(), kNone);
+  std::vector<std::vector<uint32_t>> users(pairs.size());  // that have it for a neighbour
+  for (uint32_t v = 0; v < pairs.size(); ++v)
+    for (const NeighbourPair& pair : pairs[v])
+      for (const uint32_t n : {pair.a, pair.b}) users[n].push_back(v);
+  std::vector<std::vector<uint32_t>> classes;
+  for (uint32_t v = 0; v < pairs.size(); ++v) {
+    if (pairs[v].empty()) continue;
+    std::vector<bool> taken(classes.size() + 1, false);
+    const auto avoid = [&](uint32_t n) {
+      if (class_of[n] != kNone) taken[class_of[n]] = true;
+    };
+    for (const NeighbourPair& pair : pairs[v]) avoid(pair.a), avoid(pair.b);
+    for (const uint32_t n : users[v]) avoid(n);
+    class_of[v] = static_cast<uint32_t>(std::find(taken.begin(), taken.end(), false) - taken.begin());
+    if (class_of[v] == classes.size()) classes.emplace_back();
+    classes[class_of[v]].push_back(v);
+  }
+  return classes;
+}
+
+// What a vertex differs from the mean of a pair.
+std::vector<Rgb> bend_of(const std::vector<Rgb>& own, const TightFunction& a, const TightFunction& b) {
+  std::vector<Rgb> bend(own.size());
+  for (size_t d = 0; d < own.size(); ++d) bend[d] = 0.5f * (a[d] + b[d]) - own[d];
+  return bend;
+}
+
+double usual_bend(const std::vector<std::vector<NeighbourPair>>& pairs,
+                  const std::function<TightFunction&(uint32_t vertex)>& function) {
+  std::vector<size_t> first{0};
+  for (const auto& own : pairs) first.push_back(first.back() + own.size());
+  std::vector<double> sizes(first.back());
+  parallel_for(pairs.size(), 64, [&](size_t begin, size_t end) {
+    for (size_t v = begin; v < end; ++v) {
+      if (pairs[v].empty()) continue;
+      const std::vector<Rgb> own = function(static_cast<uint32_t>(v)).unpacked();
+      for (size_t i = 0; i < pairs[v].size(); ++i)
+        sizes[first[v] + i] =
+            relative_rms(bend_of(own, function(pairs[v][i].a), function(pairs[v][i].b)), own);
+    }
+  });
+  return middle_of(&sizes);
+}
+
+}  // namespace
+
+std::vector<std::vector<NeighbourPair>> opposite_neighbours(const Mesh& mesh,
+                                                            const std::vector<uint32_t>& elements,
+                                                            double farthest) {
+  std::vector<std::vector<uint32_t>> neighbours(mesh.vertices.size());
+  for (const uint32_t element : elements) {
+    const Element& e = mesh.elements[element];
+    const int n = e.corner_count();
+    for (int i = 0; i < n; ++i) {
+      const uint32_t a = e.vertices[i], b = e.vertices[(i + 1) % n];
+      if (length(mesh.vertices[a].position - mesh.vertices[b].position) > farthest) continue;
+      neighbours[a].push_back(b);
+      neighbours[b].push_back(a);
+    }
+  }
+  std::vector<std::vector<NeighbourPair>> pairs(mesh.vertices.size());
+  for (uint32_t v = 0; v < neighbours.size(); ++v) {
+    std::vector<uint32_t>& around = neighbours[v];
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    const auto from_v = [&](uint32_t n) { return mesh.vertices[n].position - mesh.vertices[v].position; };
+    for (size_t i = 0; i < around.size(); ++i)
+      for (size_t j = i + 1; j < around.size(); ++j)
+        if (length(from_v(around[i]) + from_v(around[j])) < kOpposite * length(from_v(around[i])))
+          pairs[v].push_back({around[i], around[j]});
+  }
+  return pairs;
+}
+
+void smooth(const std::vector<std::vector<NeighbourPair>>& pairs,
+            const std::function<TightFunction&(uint32_t vertex)>& function) {
+  const std::vector<std::vector<uint32_t>> classes = independent_classes(pairs);
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    const double usual = usual_bend(pairs, function);
+    for (const std::vector<uint32_t>& vertices : classes) {
+      parallel_for(vertices.size(), 16, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          const std::vector<NeighbourPair>& own_pairs = pairs[vertices[i]];
+          const std::vector<Rgb> own = function(vertices[i]).unpacked();
+          std::vector<Rgb> result = own;
+          const float share = 0.5f / static_cast<float>(std::max<size_t>(2, own_pairs.size()));
+          for (const NeighbourPair& pair : own_pairs) {
+            const std::vector<Rgb> bend = bend_of(own, function(pair.a), function(pair.b));
+            const float part = share * share_of_noise(relative_rms(bend, own), usual);
+            for (size_t d = 0; d < own.size(); ++d) result[d] += part * bend[d];
+          }
+          function(vertices[i]) = TightFunction(result);
+        }
+      });
+    }
+  }
+}
+
+}  // namespace strad

@@ -1,0 +1,116 @@
+#include "solve/mesh/whole_rows.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "solve/mesh/noise.h"
+
+namespace strad {
+
+float tolerance_of(const MeshBuilder& builder, uint32_t vertex, float tolerance) {
+  return tolerance / static_cast<float>(builder.prominence(builder.face_of_vertex(vertex)));
+}
+
+WholeVertices vertices_of_whole(const Mesh& mesh, uint32_t face) {
+  const Element& root = mesh.elements[mesh.faces[face].element];
+  return {root.vertices[0], is_uniform(root) ? 1 : static_cast<uint32_t>(root.corner_count())};
+}
+
+Field rows_of_whole_faces(const TimeGrid& grid, const MeshBuilder& builder, float tolerance,
+                          const FindWhole& find, uint64_t* rays) {
+  constexpr uint32_t kChunk = 256;  // faces held in full at once
+  Field field;
+  field.order = grid.order;
+  field.expect_rows(2 * builder.mesh().vertices.size());  // the other vertices and those to come follow
+  for (uint32_t first = 0; first < builder.whole_faces(); first += kChunk) {
+    const uint32_t count = std::min(kChunk, builder.whole_faces() - first);
+    std::vector<std::vector<std::vector<Rgb>>> rows(count);
+    std::vector<uint64_t> traced(count, 0);
+    parallel_for(count, 4, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) rows[i] = find(first + static_cast<uint32_t>(i), &traced[i]);
+    });
+    for (uint32_t i = 0; i < count; ++i) {
+      uint32_t vertex = vertices_of_whole(builder.mesh(), first + i).first;
+      for (const std::vector<Rgb>& row : rows[i])
+        append_row(grid, row, {}, tolerance_of(builder, vertex++, tolerance), &field);
+      *rays += traced[i];
+    }
+  }
+  return field;
+}
+
+namespace {
+
+std::vector<Rgb> values_of_row(const TimeGrid& grid, const Field& field, uint32_t row) {
+  std::vector<Rgb> values(grid.node_count());
+  add_values(grid, field, row, 0, grid.cell_count(), values.data());
+  return values;
+}
+
+// What a face differs from the mean of those around it.
+std::vector<Rgb> bend_of(const TimeGrid& grid, const Field& field, const std::vector<Rgb>& own,
+                         const std::vector<uint32_t>& around) {
+  std::vector<Rgb> bend(own.size());
+  for (const uint32_t n : around) add_values(grid, field, n, 0, grid.cell_count(), bend.data());
+  for (size_t d = 0; d < own.size(); ++d)
+    bend[d] = (1 / static_cast<float>(around.size())) * bend[d] - own[d];
+  return bend;
+}
+
+void copy_row(const Field& from, uint32_t row, Field* to) {
+  const auto begin = static_cast<std::ptrdiff_t>(from.first_piece[row]),
+             end = static_cast<std::ptrdiff_t>(from.first_piece[row + 1]);
+  to->pieces.insert(to->pieces.end(), from.pieces.begin() + begin, from.pieces.begin() + end);
+  to->coefficients.insert(to->coefficients.end(), from.coefficients.begin() + begin * from.order,
+                          from.coefficients.begin() + end * from.order);
+  to->first_piece.push_back(static_cast<uint32_t>(to->pieces.size()));
+}
+
+// What bends usually are, from a thousand faces.
+double usual_bend(const TimeGrid& grid, const Field& field,
+                  const std::vector<std::vector<uint32_t>>& neighbours, const std::vector<uint32_t>& curved) {
+  std::vector<double> bends;
+  for (size_t i = 0; i < curved.size(); i += curved.size() / 1000 + 1) {
+    const std::vector<Rgb> own = values_of_row(grid, field, curved[i]);
+    bends.push_back(relative_rms(bend_of(grid, field, own, neighbours[curved[i]]), own));
+  }
+  return middle_of(&bends);
+}
+
+}  // namespace
+
+Field without_noise(const TimeGrid& grid, const MeshBuilder& builder, float tolerance, Field field) {
+  constexpr size_t kRows = 1024;  // held in full at once
+  // The rows of uniform faces come first, one each, so a face's number is its row's.
+  const std::vector<std::vector<uint32_t>> neighbours = builder.curved_neighbours();
+  std::vector<uint32_t> curved;
+  for (uint32_t f = 0; f < neighbours.size(); ++f)
+    if (!neighbours[f].empty()) curved.push_back(f);
+  for (int sweep = 0; sweep < kSweeps && !curved.empty(); ++sweep) {
+    const double usual = usual_bend(grid, field, neighbours, curved);
+    Field smoothed;
+    smoothed.order = grid.order;
+    smoothed.expect_rows(2 * builder.mesh().vertices.size());  // as in rows_of_whole_faces
+    for (size_t first = 0; first < curved.size(); first += kRows) {
+      std::vector<std::vector<Rgb>> rows(std::min(kRows, curved.size() - first));
+      parallel_for(rows.size(), 16, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          const uint32_t face = curved[first + i];
+          rows[i] = values_of_row(grid, field, face);
+          const std::vector<Rgb> bend = bend_of(grid, field, rows[i], neighbours[face]);
+          const float part = 0.5f * share_of_noise(relative_rms(bend, rows[i]), usual);
+          for (size_t d = 0; d < bend.size(); ++d) rows[i][d] += part * bend[d];
+        }
+      });
+      for (size_t i = 0; i < rows.size(); ++i) {
+        while (smoothed.row_count() < curved[first + i]) copy_row(field, smoothed.row_count(), &smoothed);
+        append_row(grid, rows[i], {}, tolerance_of(builder, curved[first + i], tolerance), &smoothed);
+      }
+    }
+    while (smoothed.row_count() < field.row_count()) copy_row(field, smoothed.row_count(), &smoothed);
+    field = std::move(smoothed);
+  }
+  return field;
+}
+
+}  // namespace strad

@@ -1,0 +1,279 @@
+// OBJ files become scenes or are refused with file and line; nothing is misread in silence.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "base/error.h"
+#include "import/obj/obj.h"
+
+namespace strad {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ImportObj : public testing::Test {
+ protected:
+  ImportObj() {
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("import_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(folder_);
+  }
+  ~ImportObj() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  Scene import(const std::string& text) {
+    write("room.obj", text);
+    report_ = {};
+    return import_obj(path("room.obj"), options_, &report_);
+  }
+  // What the refusal says, without the folder; "" if there is none.
+  std::string refusal(const std::string& text) {
+    try {
+      import(text);
+    } catch (const BadInput& error) {
+      std::string what = error.what();
+      const std::string prefix = folder_.string() + "/";
+      for (size_t at = what.find(prefix); at != what.npos; at = what.find(prefix))
+        what.erase(at, prefix.size());
+      return what;
+    }
+    return "";
+  }
+  // Notes without the folder.
+  std::string note(size_t index) const {
+    const std::vector<std::string> lines = report_.lines();
+    return index < lines.size() ? lines[index].substr(folder_.string().size() + 1) : "";
+  }
+
+  fs::path folder_;
+  ImportOptions options_;
+  ImportReport report_;
+};
+
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\n";
+
+TEST_F(ImportObj, reads_vertices_faces_and_materials) {
+  write("m.mtl", "newmtl red wall\nKd 0.5 0.1 0.2 # a comment\nKe 1 2 3\nnewmtl unused\nKd 2 2 2\n");
+  const Scene scene = import("mtllib m.mtl\no floor\nusemtl red wall\n" + kSquare + "f 1 2 3 4\n");
+  ASSERT_EQ(scene.polygons.size(), 1u);
+  EXPECT_EQ(scene.polygons[0].corner_count(), 4);
+  EXPECT_EQ(scene.vertices[2], (Vec3{1, 0, -1}));
+  EXPECT_EQ(scene.objects[0].name, "floor");
+  ASSERT_EQ(scene.materials.size(), 1u);  // only those in use
+  EXPECT_EQ(scene.materials[0].name, "red wall");
+  EXPECT_EQ(scene.materials[0].reflectance, (Rgb{0.5f, 0.1f, 0.2f}));
+  EXPECT_EQ(scene.materials[0].emission, (Rgb{1, 2, 3}));
+  EXPECT_TRUE(report_.lines().empty());
+}
+
+TEST_F(ImportObj, understands_all_spellings_of_numbers_and_indices) {
+  const Scene scene = import(
+      "v +1e0 .5 -.25\r\nv 1. 2E-1 3e+0\r\nv 0 0 0 1.0\r\nv 5 6 7 0.1 0.2 0.3\r\nvt 0\r\nvt 0 1 0\r\nvn 0 0 "
+      "1\r\n"
+      "f -4/1/1 -3//1 -2/-1\r\nf 1// \\\r\n  3/ \\\r\n  4\r\n");
+  ASSERT_EQ(scene.polygons.size(), 2u);
+  EXPECT_EQ(scene.vertices[0], (Vec3{1, 0.5, -0.25}));
+  EXPECT_EQ(scene.vertices[1], (Vec3{1, 0.2f, 3}));
+  EXPECT_EQ(scene.polygons[1].corners[1], 2u);
+  EXPECT_EQ(scene.polygons[1].corners[2], 3u);
+}
+
+TEST_F(ImportObj, takes_faces_before_their_vertices) {
+  EXPECT_EQ(import("f 1 2 3\n" + kSquare).polygons.size(), 1u);
+}
+
+TEST_F(ImportObj, a_backslash_that_ends_a_comment_swallows_nothing) {
+  EXPECT_EQ(import("# C:\\models\\\n" + kSquare + "f 1 2 3 4").vertices.size(), 4u);
+}
+
+TEST_F(ImportObj, names_objects_by_object_and_group) {
+  const std::string f = "f 1 2 3 4\n";
+  const Scene scene = import(kSquare + f + "g front  cube\n" + f + "o lamp\n" + f + "g lamp\n" + f +
+                             "g shade\n" + f + "g\n" + f + "o lamp\ng shade\n" + f + "o empty\n");
+  std::vector<std::string> names;
+  for (const Object& object : scene.objects) names.push_back(object.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"unnamed", "front cube", "lamp", "lamp/shade"}));
+  EXPECT_EQ(scene.polygons[6].object, 3u);
+}
+
+TEST_F(ImportObj, refuses_with_file_and_line) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"", "room.obj: is empty"},
+      {"# nothing\n", "room.obj: has no polygons"},
+      {kSquare + "l 1 2\np 1\n", "room.obj: has no polygons"},
+      {std::string("v\0 0", 4), "room.obj: is not a text file: byte 0 at offset 1"},
+      {"\xff\xfev\0", "room.obj: is UTF-16 text, expected ASCII or UTF-8"},
+      {"v\n", "room.obj:1: v has 0 numbers, expected 3 to 7"},
+      {"v 1\n", "room.obj:1: v has 1 numbers, expected 3 to 7"},
+      {"\nv 1 2 # 3\n", "room.obj:2: v has 2 numbers, expected 3 to 7"},
+      {"v 0,5 0 0\n", "room.obj:1: found \"0,5\", expected a finite number"},
+      {"v nan 0 0\n", "room.obj:1: found \"nan\", expected a finite number"},
+      {"v -inf 0 0\n", "room.obj:1: found \"-inf\", expected a finite number"},
+      {"v 1e999 0 0\n", "room.obj:1: found \"1e999\", expected a finite number"},
+      {"v 1e39 0 0\n", "room.obj:1: found \"1e39\", expected a finite number"},
+      {"v 0x10 0 0\n", "room.obj:1: found \"0x10\", expected a finite number"},
+      {"v 1.#IND 0 0\n", "room.obj:1: found \"1.#IND\", expected a finite number"},
+      {"v +-1 0 0\n", "room.obj:1: found \"+-1\", expected a finite number"},
+      {kSquare + "f 1 2 99\n" + kSquare, "room.obj:5: face uses vertex 99 of 8"},
+      {kSquare + "f 1 2 0\n", "room.obj:5: face uses vertex 0, but they count from 1"},
+      {kSquare + "f 1 2 -5\n", "room.obj:5: face uses vertex -5 of 4"},
+      {kSquare + "f 1 2 99999999999\n", "room.obj:5: face uses vertex 99999999999 of 4"},
+      {kSquare + "f 1/1 2/2 3/3\n", "room.obj:5: face uses texture coordinate 3 of 0"},
+      {kSquare + "f 1 2 x\n", "room.obj:5: found \"x\", expected the number of a vertex"},
+      {kSquare + "f 1 2 3.5\n", "room.obj:5: found \"3.5\", expected the number of a vertex"},
+      {kSquare + "vt 0\nf 1/1/1/1 2 3\n", "room.obj:6: found \"1/1\", expected the number of a normal"},
+      {kSquare + "vt 0 x\n", "room.obj:5: found \"x\", expected a finite number"},
+      {"vertex 0 0 0\n", "room.obj:1: found \"vertex\", expected an OBJ statement such as v, f or usemtl"},
+      {"mtllib\n", "room.obj:1: mtllib names no file"},
+      {"mtllib none.mtl\n", "room.obj:1: material file \"none.mtl\" is missing"},
+      {kSquare + "usemtl a\n\nf 1 2 3\n", "room.obj:7: material \"a\" is not defined"},
+  };
+  for (const auto& [text, expected] : cases) EXPECT_EQ(refusal(text), expected) << text;
+}
+
+TEST_F(ImportObj, refuses_a_folder_and_a_file_that_is_not_there) {
+  EXPECT_THROW(import_obj(folder_.string(), options_, &report_), BadInput);
+  EXPECT_THROW(import_obj(path("absent.obj"), options_, &report_), IoError);
+}
+
+TEST_F(ImportObj, refuses_broken_materials_with_their_line) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"", "m.mtl: is empty"},
+      {"Kd 1 1 1\n", "m.mtl:1: found \"Kd\", expected newmtl before all else"},
+      {"newmtl\n", "m.mtl:1: newmtl has no name"},
+      {"newmtl a\nKd 1 1\n", "m.mtl:2: Kd has 2 numbers, expected R G B"},
+      {"newmtl a\nKd 1 1 1 1\n", "m.mtl:2: Kd has 4 numbers, expected R G B"},
+      {"newmtl a\nKd 0.5 nan 1\n", "m.mtl:2: Kd: found \"nan\", expected a finite number"},
+      {"newmtl a\nKd 0.5 -1 1\n", "m.mtl:2: Kd -1 is negative"},
+      {"newmtl a\nKd 0.5 1.5 1\n", "m.mtl:2: reflectance 1.500000, expected 0 to 1"},
+      {"newmtl a\nKd spectral f.rfl\n", "m.mtl:2: Kd spectral is not supported, expected R G B"},
+      {"newmtl a\nKe 1 1 inf\n", "m.mtl:2: Ke: found \"inf\", expected a finite number"},
+      {"newmtl a\nmap_Kd -s 1 1 1\n", "m.mtl:2: map_Kd names no file"},
+  };
+  for (const auto& [text, expected] : cases) {
+    write("m.mtl", text);
+    EXPECT_EQ(refusal("mtllib m.mtl\nusemtl a\n" + kSquare + "f 1 2 3 4\n"), expected);
+  }
+}
+
+TEST_F(ImportObj, counts_what_it_leaves_out) {
+  const Scene scene = import(kSquare + "v 0.5 0 0\nf 1 1 1\nf 1 2\nf 1 2 5\nf 1 2 3 4\nf 1 1 2 3\nl 1 2\n" +
+                             "f 1//7 2//8 3//9\n");
+  EXPECT_EQ(scene.polygons.size(), 3u);
+  EXPECT_EQ(note(0), "room.obj:6: degenerate face left out (3 in all)");
+  EXPECT_EQ(note(1), "room.obj:11: line left out");
+}
+
+TEST_F(ImportObj, skips_what_is_missing_or_unknown_only_when_told) {
+  const std::string text = "mtllib none.mtl\nwhatever 1\nusemtl a\n" + kSquare + "f 1 2 3 4\n";
+  options_.skip_unknown = options_.skip_missing = true;
+  const Scene scene = import(text);
+  EXPECT_EQ(scene.materials[0].name, "a");
+  EXPECT_EQ(scene.materials[0].reflectance, (Rgb{0.5f, 0.5f, 0.5f}));
+  EXPECT_EQ(report_.lines().size(), 3u);
+}
+
+TEST_F(ImportObj, lowers_a_reflectance_of_one_and_says_so) {
+  write("m.mtl", "newmtl a\nKd 1 0.5 1\nnewmtl b\nKd 1\n");
+  const Scene scene = import("mtllib m.mtl\nusemtl a\n" + kSquare + "f 1 2 3\nusemtl b\nf 1 3 4\n");
+  EXPECT_EQ(scene.materials[0].reflectance, (Rgb{0.98f, 0.5f, 0.98f}));
+  EXPECT_EQ(scene.materials[1].reflectance, (Rgb{0.98f, 0.98f, 0.98f}));
+  EXPECT_EQ(
+      note(0),
+      "m.mtl:2: reflectance above 0.98 is taken as 0.98: light must fade as it is reflected (2 in all)");
+}
+
+TEST_F(ImportObj, finds_material_files_whose_names_hold_blanks) {
+  write("my room.mtl", "newmtl a\nKd 0.1 0.1 0.1\n");
+  write("b.mtl", "newmtl b\nKd 0.2 0.2 0.2\nnewmtl a\nKd 0.3 0.3 0.3\n");
+  write("c.mtl", "newmtl c\nKd 0.4 0.4 0.4\n");
+  const Scene scene =
+      import("mtllib my room.mtl\nmtllib b.mtl c.mtl\nusemtl a\n" + kSquare + "f 1 2 3\nusemtl c\nf 1 3 4\n");
+  EXPECT_EQ(scene.materials[0].reflectance.r, 0.1f);
+  EXPECT_EQ(scene.materials[1].reflectance.r, 0.4f);
+  EXPECT_EQ(note(0), "b.mtl:3: material \"a\" is defined again: left out");
+}
+
+// A texture of one red and one white pixel, as PPM.
+const std::string kPixels = std::string("P6 2 1 255\n\xff\x00\x00\xff\xff\xff", 17);
+
+TEST_F(ImportObj, reads_textures_once_and_keeps_their_coordinates) {
+  fs::create_directories(folder_ / "tex");
+  write("tex/my wall.ppm", kPixels);
+  write("m.mtl",
+        "newmtl a\nmap_Kd -o 0.5 0.5 -clamp on tex\\my wall.ppm\nnewmtl b\nKd 0.5 0.5 0.5\n"
+        "map_Kd tex/my wall.ppm\nnewmtl plain\nKd 0.5 0.5 0.5\n");
+  const Scene scene =
+      import("mtllib m.mtl\n" + kSquare +
+             "vt 0 0\nvt 0.25 0\nvt 1 1\nvt 9 9\nusemtl plain\nf 1/4 2/4 3/4\nusemtl a\nf 1/1 2/2 3/3\n"
+             "usemtl b\nf 1/1 3/3 4/2\nf 1 3 4\n");
+  ASSERT_EQ(scene.textures.size(), 1u);
+  EXPECT_EQ(scene.textures[0].width, 2u);
+  EXPECT_EQ(scene.textures[0].srgb[1], 0);
+  EXPECT_EQ(scene.materials[1].texture, 0u);
+  EXPECT_EQ(scene.materials[1].reflectance.r, kMaxReflectance);  // the texture alone says what it is
+  EXPECT_EQ(scene.uvs.size(), 3u);                               // that of the plain material is dropped
+  EXPECT_EQ(scene.uvs[scene.polygons[1].uvs[1]], (Vec2{0.25, 0}));
+  EXPECT_EQ(scene.polygons[0].uvs[0], kNone);
+  EXPECT_EQ(scene.polygons[3].uvs[0], kNone);
+  EXPECT_EQ(note(0), "m.mtl:2: map_Kd option -o is ignored");
+  EXPECT_EQ(note(1), "m.mtl:2: map_Kd option -clamp is ignored");
+  EXPECT_EQ(note(2), "room.obj:16: face of a material with map_Kd has no texture coordinates");
+}
+
+TEST_F(ImportObj, refuses_a_texture_that_is_missing_or_broken) {
+  write("m.mtl", "newmtl a\nKd 0.5 0.5 0.5\nmap_Kd t.ppm\n");
+  const std::string text = "mtllib m.mtl\nusemtl a\n" + kSquare + "f 1 2 3\n";
+  EXPECT_TRUE(refusal(text).starts_with("m.mtl:3: texture \"")) << refusal(text);
+  write("t.ppm", kPixels.substr(0, 14));
+  EXPECT_TRUE(refusal(text).starts_with("m.mtl:3: ")) << refusal(text);
+  options_.skip_missing = true;
+  fs::remove(folder_ / "t.ppm");
+  EXPECT_EQ(import(text).materials[0].texture, kNone);
+}
+
+TEST_F(ImportObj, lights_materials_by_pattern) {
+  write("m.mtl", "newmtl lamp1\nKd 0 0 0\nKe 1 1 1\nnewmtl lamp2\nKd 0 0 0\n");
+  const std::string text = "mtllib m.mtl\nusemtl lamp1\n" + kSquare + "f 1 2 3\nusemtl lamp2\nf 1 3 4\n";
+  options_.lights = {{"lamp*", {5, 6, 7}}, {"lamp1", {8, 8, 8}}};
+  const Scene scene = import(text);
+  EXPECT_EQ(scene.materials[0].emission, (Rgb{8, 8, 8}));
+  EXPECT_EQ(scene.materials[1].emission, (Rgb{5, 6, 7}));
+  options_.lights = {{"lump*", {5, 6, 7}}};
+  EXPECT_EQ(refusal(text), "room.obj: no material in use matches the light \"lump*\"");
+}
+
+TEST_F(ImportObj, scales_and_turns) {
+  options_.scale = 0.01;
+  options_.up = 'z';
+  // A floor at height 3 in a file whose z is up, seen from above: its front must still look up.
+  const Scene scene = import("v 0 0 3\nv 100 0 3\nv 0 100 3\nf 1 2 3\n");
+  const auto& v = scene.vertices;
+  EXPECT_NEAR(v[0].y, 0.03, 1e-9);
+  EXPECT_NEAR(v[2].z, -1, 1e-9);
+  EXPECT_GT(cross(v[1] - v[0], v[2] - v[0]).y, 0);
+}
+
+TEST_F(ImportObj, drops_vertices_that_nothing_uses) {
+  EXPECT_EQ(import("v 9 9 9\n" + kSquare + "v 8 8 8\nf 2 3 4 5\n").vertices.size(), 4u);
+}
+
+TEST_F(ImportObj, names_every_truncation_or_imports_it) {
+  write("m.mtl", "newmtl a\nKd 0.5 0.5 0.5\n");
+  const std::string text =
+      "mtllib m.mtl\nusemtl a\n" + kSquare + "vt 0 0\ng one two\nf 1/1 2/1 3/1 4/-1 \\\n 1\nf 1 2 3\n";
+  for (size_t size = 0; size < text.size(); ++size) {
+    try {
+      EXPECT_FALSE(import(text.substr(0, size)).polygons.empty());
+    } catch (const BadInput& error) {
+      EXPECT_NE(std::string(error.what()).find("room.obj"), std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace strad

@@ -1,0 +1,105 @@
+// Functions of time in few bits: how far they are from what was put in.
+#include "time/light_functions.h"
+
+#include <gtest/gtest.h>
+
+#include "base/rng.h"
+#include "time/packed_function.h"
+
+namespace strad {
+namespace {
+
+constexpr size_t kDates = 37;
+const std::vector<uint32_t> kLights{2, 3, 11};
+
+// Over nine powers of ten.
+Rgb value(uint64_t light, uint64_t date) {
+  const auto channel = [&](uint64_t c) {
+    return static_cast<float>(std::pow(10.0, 9 * unit_from(hash_of(light, date, c)) - 5));
+  };
+  return {channel(0), channel(1), channel(2)};
+}
+
+LightFunctions filled() {
+  LightFunctions functions(12, kLights, kDates);
+  for (const uint32_t light : {11u, 2u, 3u})  // in any order
+    for (size_t d = 0; d < kDates; ++d) functions.set(light, d, value(light, d));
+  return functions;
+}
+
+TEST(LightFunctions, KeepsThreeDigits) {
+  const LightFunctions functions = filled();
+  for (const uint32_t light : kLights)
+    for (size_t d = 0; d < kDates; ++d)
+      for (int c = 0; c < 3; ++c) {
+        const float expected = value(light, d)[c];
+        EXPECT_NEAR(functions.get(light, d)[c], expected, 0.004f * expected);
+      }
+}
+
+// Rounding is to the nearest: what many add up to is right.
+TEST(LightFunctions, DoesNotLean) {
+  LightFunctions functions(1, {0}, 10000);
+  double sum = 0, expected = 0;
+  for (size_t d = 0; d < 10000; ++d) {
+    const auto v = static_cast<float>(1 + unit_from(hash_of(d)));
+    functions.set(0, d, {v, v, v});
+    sum += static_cast<double>(functions.get(0, d).r);
+    expected += static_cast<double>(v);
+  }
+  EXPECT_NEAR(sum / expected, 1, 1e-4);
+}
+
+TEST(LightFunctions, BeginsDark) {
+  const LightFunctions functions(12, kLights, kDates);
+  EXPECT_EQ(functions.get(3, 5), Rgb{});
+  EXPECT_TRUE(functions.has(2));
+  EXPECT_FALSE(functions.has(4));
+  EXPECT_EQ(functions.lights(), kLights);
+}
+
+TEST(LightFunctions, AddIsTheSum) {
+  const LightFunctions functions = filled();
+  std::vector<float> weights;
+  std::vector<Rgb> sum(20, Rgb{1, 2, 3});
+  for (size_t i = 0; i < 20; ++i) weights.push_back(static_cast<float>(unit_from(hash_of(i, 8))));
+  functions.add(3, 7, 20, weights.data(), sum.data());
+  for (size_t i = 0; i < 20; ++i) {
+    const Rgb expected = Rgb{1, 2, 3} + weights[i] * functions.get(3, 7 + i);
+    for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(sum[i][c], expected[c]) << i;
+  }
+}
+
+// Errors are in units of the function's own largest value.
+template <typename Function>
+void expect_kept(double red_and_green, double blue) {
+  std::vector<Rgb> values;
+  for (uint64_t i = 0; i < 500; ++i) {
+    const auto random = [&](uint64_t c) { return static_cast<float>(40 * unit_from(hash_of(i, c, 9))); };
+    values.push_back({random(0), random(1), random(2)});
+  }
+  values[123] = {40, 40, 40};
+  values[45] = {};
+  const Function packed(values);
+  ASSERT_EQ(packed.size(), values.size());
+  for (size_t i = 0; i < values.size(); ++i) {
+    EXPECT_NEAR(packed[i].r, values[i].r, 40 * red_and_green);
+    EXPECT_NEAR(packed[i].g, values[i].g, 40 * red_and_green);
+    EXPECT_NEAR(packed[i].b, values[i].b, 40 * blue);
+  }
+  EXPECT_EQ(packed[45], Rgb{});
+  EXPECT_FLOAT_EQ(packed[123].b, 40);
+}
+
+TEST(PackedFunction, KeepsSixteenBits) { expect_kept<PackedFunction>(0.51 / 65535, 0.51 / 65535); }
+TEST(TightFunction, KeepsElevenElevenAndTenBits) { expect_kept<TightFunction>(0.51 / 2047, 0.51 / 1023); }
+
+TEST(PackedFunction, DarkOnesAndEmptyOnes) {
+  EXPECT_TRUE(PackedFunction().empty());
+  EXPECT_TRUE(TightFunction().empty());
+  EXPECT_EQ(PackedFunction(std::vector<Rgb>(3))[1], Rgb{});
+  EXPECT_EQ(TightFunction(std::vector<Rgb>(3))[1], Rgb{});
+}
+
+}  // namespace
+}  // namespace strad
