@@ -1,6 +1,5 @@
 // The space-time solve: adds the light of the whole animation to the stream.
 #include "solution/slab_work.h"
-#include "solve/prepare/wall_cuts.h"
 #include "solve/solve.h"
 #include "solve/stats_text.h"
 #include "tool.h"
@@ -47,15 +46,13 @@ SolveArguments parse_arguments(int argc, char** argv) {
 int solve(const SolveArguments& a) {
   strad::refuse_terminal(a.common.output);
   strad::Stream stream = strad::read_stream(a.stream);
-  stream.scene = strad::cut_under_walls(std::move(stream.scene));
-  strad::SolveStats stats;
-  strad::Solution solution;
-  solution.slabs.push_back(strad::solve(stream.scene, a.solve, &stats, strad::progress_bar(a.common)));
+  strad::Solved solved = strad::solve(std::move(stream.scene), a.solve, strad::progress_bar(a.common));
+  stream.scene = std::move(solved.scene);
   strad::drop_work(&stream.others);
-  stream.others.push_back(strad::encode_work(strad::work_of(solution.slabs.back(), stats)));
-  stream.solution = std::move(solution);
+  stream.others.push_back(strad::encode_work(solved.work));
+  stream.solution.emplace().slabs.push_back(std::move(solved.slab));
   strad::write_stream(std::move(stream), a.provenance, a.common);
-  if (!a.stats.empty()) strad::write_text_file(a.stats, strad::stats_as_json(stats));
+  if (!a.stats.empty()) strad::write_text_file(a.stats, strad::stats_as_json(solved.stats));
   return 0;
 }
 

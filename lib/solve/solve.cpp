@@ -1,6 +1,5 @@
 #include "solve/solve.h"
 
-#include <malloc.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -9,14 +8,18 @@
 #include <ctime>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "solve/direct/direct_phase.h"
+#include "solve/gather/bounces.h"
 #include "solve/gather/final_gather.h"
+#include "solve/gather/form_factor_sums.h"
 #include "solve/gather/indirect_phase.h"
-#include "solve/gather/leaf_light.h"
-#include "solve/links/link_light.h"
+#include "solve/links/leaf_radiance.h"
+#include "solve/links/link_phase.h"
 #include "solve/prepare/mean_reflectance.h"
 #include "solve/prepare/power.h"
 #include "solve/prepare/reach.h"
+#include "solve/prepare/wall_cuts.h"
 
 namespace strad {
 namespace {
@@ -26,7 +29,7 @@ namespace {
 int rays_for(double error) { return static_cast<int>(512 * std::clamp(std::sqrt(0.02 / error), 0.5, 1.0)); }
 
 // Nodes of the grid for the whole animation: one for every 3.2 frames, at least 24.
-int sample_count(const Scene& scene, double begin, double end) {
+int samples_for(const Scene& scene, double begin, double end) {
   return static_cast<int>(std::max(24.0, (end - begin) * scene.rate / 3.2));
 }
 
@@ -36,20 +39,42 @@ TimeGrid grid_for(const Scene& scene, const SolveOptions& options) {
   std::vector<double> steps;
   for (const double t : step_times(scene))
     if (t > begin && t < end) steps.push_back(t);
-  return make_time_grid(begin, end, steps, options.order, sample_count(scene, begin, end));
+  return make_time_grid(begin, end, steps, options.order, samples_for(scene, begin, end));
 }
 
-// Seconds since it was made.
-struct Stopwatch {
-  double cpu_start = cpu_now(), wall_start = wall_now();
+std::vector<Instant> instants_of(const Scene& scene, const TimeGrid& grid) {
+  std::vector<Instant> instants;
+  for (uint32_t i = 0; i < grid.sample_count(); ++i)
+    instants.push_back(instant_at(scene, sample_time(grid, i)));
+  return instants;
+}
+
+// Tells one phase after another: how far the solve is, and what each phase cost.
+class PhaseClock {
+ public:
+  explicit PhaseClock(const Progress& progress) : progress_(progress) {}
+  // Ends the phase before. `done`: share of the whole solve that lies before this phase.
+  void begin(double done, const char* name, PhaseStats* stats) {
+    end();
+    stats_ = stats;
+    cpu_start_ = cpu_now(), wall_start_ = wall_now();
+    if (progress_) progress_(done, name);
+  }
+  void end() {
+    if (!stats_) return;
+    stats_->cpu_seconds = cpu_now() - cpu_start_;
+    stats_->wall_seconds = wall_now() - wall_start_;
+    stats_ = nullptr;
+  }
+
+ private:
   static double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
   static double wall_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   }
-  void into(PhaseStats* stats) const {
-    stats->cpu_seconds = cpu_now() - cpu_start;
-    stats->wall_seconds = wall_now() - wall_start;
-  }
+  const Progress& progress_;
+  PhaseStats* stats_ = nullptr;
+  double cpu_start_ = 0, wall_start_ = 0;
 };
 
 // Direct light: every face split where it varies. `mean`: mean radiance to expect.
@@ -99,11 +124,8 @@ void measure(const Slab& slab, SolveStats* stats) {
     return field.pieces.size() * sizeof(Interval) + field.coefficients.size() * sizeof(Rgb) +
            field.first_piece.size() * sizeof(uint32_t);
   };
-  stats->total.links = stats->indirect.links;
-  stats->total.links_refined_in_time = stats->indirect.links_refined_in_time;
-  stats->total.links_refined_in_space = stats->indirect.links_refined_in_space;
-  stats->total.kernel_evaluations = stats->direct.kernel_evaluations + stats->indirect.kernel_evaluations;
-  stats->total.rays = stats->direct.rays + stats->indirect.rays;
+  stats->indirect = stats->links + stats->bounces + stats->gather;
+  stats->total = stats->prepare + stats->direct + stats->indirect;
   stats->elements = slab.mesh.elements.size();
   stats->vertices = slab.mesh.vertices.size();
   stats->coefficients = 3 * (slab.direct.coefficients.size() + slab.indirect.coefficients.size());
@@ -115,71 +137,114 @@ void measure(const Slab& slab, SolveStats* stats) {
   stats->peak_bytes = static_cast<uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-}  // namespace
+// What all phases share. Filled by the first phase, and not moved since parts refer to one another.
+struct Prepared {
+  const Scene& scene;  // without textures
+  TimeGrid grid;
+  std::vector<Instant> instants;  // by time sample
+  Tracer tracer;
+  SweptBounds swept;
+  double diagonal;           // m, of the scene
+  double expected_radiance;  // W / (sr m^2), the mean
+  float tolerance;           // W / m^2, of functions of time
+  MeshBuilder builder;
 
-Slab solve(const Scene& scene, const SolveOptions& options, SolveStats* stats, const Progress& progress) {
-  SolveStats ignored;
-  SolveStats& out = stats ? *stats : ignored;
-  const auto report = [&](double done, const char* what) {
-    if (progress) progress(done, what);
-  };
-  check(scene, options);
-  if (!scene.textures.empty()) return solve(with_mean_reflectances(scene), options, stats, progress);
-  const Stopwatch all;
-  report(0, "direct light");
-  Slab slab;
-  slab.grid = grid_for(scene, options);
-  const TimeGrid& grid = slab.grid;
-  std::vector<Instant> instants(grid.node_count());
-  for (uint32_t i = 0; i < grid.node_count(); ++i) instants[i] = instant_at(scene, node_time(grid, i));
-  const Tracer tracer(scene);
-  const SweptBounds swept(scene, tracer, grid);
-  const double diagonal = tracer.scene_box().diagonal();
-  const double expected = expected_mean_radiance(scene, instants);
-  const auto tolerance = static_cast<float>(options.error * expected * kPi / 5);
+  Prepared(const Scene& s, const SolveOptions& options)
+      : scene(s),
+        grid(grid_for(s, options)),
+        instants(instants_of(s, grid)),
+        tracer(s),
+        swept(s, tracer, grid),
+        diagonal(tracer.scene_box().diagonal()),
+        expected_radiance(expected_mean_radiance(s, instants)),
+        tolerance(static_cast<float>(options.error * expected_radiance * kPi / 5)),
+        builder(s) {
+    builder.add_faces(reached_sides(s, tracer, grid), diagonal / 100);
+  }
+  Prepared(const Prepared&) = delete;
+};
 
-  MeshBuilder builder(scene);
-  const std::vector<bool> reached = reached_sides(scene, tracer, grid);
-  builder.add_faces(reached, diagonal / 100);
-  DirectPhase direct(scene, tracer, grid, swept, instants,
-                     direct_options(diagonal, options.error, expected, tolerance), &builder);
-  direct.run();
-  out.direct.kernel_evaluations = direct.evaluations();
-  out.direct.rays = direct.rays();
-  all.into(&out.direct);
+RefinedLinks links_of(const Workspace& work, const Prepared& p, const SolveOptions& options,
+                      const DirectPhase& direct, NodeTree* tree, SolveStats* stats) {
+  const LinkOptions link_options{options.error * p.expected_radiance / 8, p.diagonal / 150, options.residual};
+  const auto sums = [&](uint64_t* rays) { return form_factor_sums_by_rays(work, rays); };
+  RefinedLinks links = refine_links(work, p.instants, link_options, direct, sums, tree);
+  stats->links.rays = links.counts.rays + links.form_factor_rays;
+  stats->links.links = links.count;
+  stats->links.links_refined_in_time = links.counts.refined_in_time;
+  stats->links.links_refined_in_space = links.counts.refined_in_space;
+  stats->links.kernel_evaluations = links.counts.evaluations;
+  stats->link_bytes = links.count * sizeof(Link);
+  stats->clusters = tree->cluster_count();
+  return links;
+}
 
-  const Stopwatch rest;
-  report(0.3, "links");
-  NodeTree tree(scene, &builder, options.clusters);
-  const Workspace work{grid, tree, tracer, swept};
-  std::optional<LinkLight> light =
-      light_along_links(work, instants, {options.error * expected / 8, diagonal / 150, options.residual},
-                        &tree, &direct, &slab.direct, &out);
-  malloc_trim(0);
-  const double mean = mean_radiance(tree, light->radiance);
+struct LeafLight {
+  FunctionBlock radiance;
+  double mean = 0;  // W / (sr m^2), as the links gave it
+};
 
-  report(0.6, "bounces");
-  out.indirect.rays += settle_by_rays(work, light->direct, &light->radiance);
-  LightFunctions radiance = std::move(light->radiance);
-  light.reset();
-  malloc_trim(0);
+// Radiance that leaves reflect. Takes the surpluses of direct light from its phase on the way.
+LeafLight light_of_leaves(const Prepared& p, const SolveOptions& options, NodeTree* tree, DirectPhase* direct,
+                          Field* direct_surpluses, PhaseClock* clock, SolveStats* stats) {
+  const Workspace work{p.grid, *tree, p.tracer, p.swept};
+  LeafRadiance of_links;
+  std::optional<DirectOfLeaves> direct_of_leaves;
+  {
+    const RefinedLinks links = links_of(work, p, options, *direct, tree, stats);
+    FunctionBlock divided = direct_of_divided_leaves(work, *direct);
+    *direct_surpluses = direct->take_surpluses();
+    release_freed_memory();  // before the radiance of all leaves is allocated
+    direct_of_leaves.emplace(work, std::move(divided), *direct_surpluses);
+    of_links =
+        propagate_to_leaves(work, *direct_of_leaves, input_of(work, p.instants, links, options.residual));
+  }
+  release_freed_memory();
+  stats->iterations = of_links.iterations;
+  stats->residual = of_links.residual;
+  LeafLight light{std::move(of_links.radiance)};
+  light.mean = mean_radiance(*tree, light.radiance);
+  clock->begin(0.6, "bounces", &stats->bounces);
+  stats->bounces.rays = correct_by_bounces(work, *direct_of_leaves, &light.radiance);
+  return light;
+}
 
-  report(0.7, "final gather");
-  const FinalGather gather(tree, tracer, grid, swept, radiance, rays_for(options.error));
-  IndirectPhase indirect(scene, grid, gather, indirect_options(diagonal, options.error, mean, tolerance),
-                         &builder);
+// Final gather at the vertices of the mesh, which it refines. Frees the radiance before surpluses are made.
+Field gather_surpluses(const SolveOptions& options, const NodeTree& tree, LeafLight light, Prepared* p,
+                       SolveStats* stats) {
+  const FinalGather gather(tree, p->tracer, p->grid, p->swept, light.radiance, rays_for(options.error));
+  IndirectPhase indirect(p->scene, p->grid, gather,
+                         indirect_options(p->diagonal, options.error, light.mean, p->tolerance), &p->builder);
   indirect.run();
-  radiance = {};
-  malloc_trim(0);
-  slab.indirect = indirect.surpluses();
-  slab.mesh = builder.take();
-  // Vertices that indirect light has added since have no direct light of their own.
-  slab.direct.first_piece.resize(slab.mesh.vertices.size() + 1, slab.direct.first_piece.back());
+  stats->gather.rays = indirect.rays();
+  light.radiance = {};
+  release_freed_memory();
+  return indirect.take_surpluses();
+}
 
-  out.indirect.rays += indirect.rays();
-  rest.into(&out.indirect);
-  all.into(&out.total);
-  measure(slab, &out);
+Slab solve_untextured(const Scene& scene, const SolveOptions& options, PhaseClock* clock, SolveStats* stats) {
+  Prepared p(scene, options);
+  Slab slab;
+  slab.grid = p.grid;
+
+  clock->begin(0.05, "direct light", &stats->direct);
+  DirectPhase direct(scene, p.tracer, p.grid, p.swept, p.instants,
+                     direct_options(p.diagonal, options.error, p.expected_radiance, p.tolerance), &p.builder);
+  direct.run();
+  stats->direct.kernel_evaluations = direct.evaluations();
+  stats->direct.rays = direct.rays();
+
+  clock->begin(0.3, "links", &stats->links);
+  NodeTree tree(scene, &p.builder, options.clusters);
+  LeafLight light = light_of_leaves(p, options, &tree, &direct, &slab.direct, clock, stats);
+  release_freed_memory();
+
+  clock->begin(0.7, "final gather", &stats->gather);
+  slab.indirect = gather_surpluses(options, tree, std::move(light), &p, stats);
+  slab.mesh = p.builder.take();
+  // Vertices that the gather has added have no direct light of their own.
+  slab.direct.first_piece.resize(slab.mesh.vertices.size() + 1, slab.direct.first_piece.back());
+  clock->end();
   return slab;
 }
 
@@ -194,6 +259,23 @@ SlabWork work_of(const Slab& slab, const SolveStats& stats) {
           total.kernel_evaluations,
           total.rays,
           static_cast<uint64_t>(stats.iterations)};
+}
+
+}  // namespace
+
+Solved solve(Scene scene, const SolveOptions& options, const Progress& progress) {
+  check(scene, options);
+  Solved solved;
+  PhaseClock clock(progress);
+  clock.begin(0, "preparation", &solved.stats.prepare);
+  solved.scene = cut_under_walls(std::move(scene));
+  if (solved.scene.textures.empty())
+    solved.slab = solve_untextured(solved.scene, options, &clock, &solved.stats);
+  else
+    solved.slab = solve_untextured(with_mean_reflectances(solved.scene), options, &clock, &solved.stats);
+  measure(solved.slab, &solved.stats);
+  solved.work = work_of(solved.slab, solved.stats);
+  return solved;
 }
 
 }  // namespace strad

@@ -24,8 +24,18 @@ std::string phase(const PhaseStats& p) {
 }  // namespace
 
 std::string stats_as_json(const SolveStats& s) {
-  return "{\n  \"direct\": " + phase(s.direct) + ",\n  \"indirect\": " + phase(s.indirect) +
-         ",\n  \"total\": " + phase(s.total) + ",\n  \"elements\": " + std::to_string(s.elements) +
+  std::string text = "{\n";
+  const auto add = [&](const char* name, const PhaseStats& p) {
+    text += std::string("  \"") + name + "\": " + phase(p) + ",\n";
+  };
+  add("prepare", s.prepare);
+  add("direct", s.direct);
+  add("links", s.links);
+  add("bounces", s.bounces);
+  add("gather", s.gather);
+  add("indirect", s.indirect);
+  add("total", s.total);
+  return text + "  \"elements\": " + std::to_string(s.elements) +
          ",\n  \"vertices\": " + std::to_string(s.vertices) +
          ",\n  \"clusters\": " + std::to_string(s.clusters) +
          ",\n  \"coefficients\": " + std::to_string(s.coefficients) +

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "solve/solve.h"
+#include "solve/stats.h"
 
 namespace strad {
 

@@ -46,7 +46,7 @@ Rgb jump_at(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t cel
 void add_values(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t first, uint32_t count,
                 Rgb* values);
 
-// Appends a row from values at all nodes of the grid (node_count of them): merges dyadic halves bottom-up
+// Appends a row from values at all time samples (sample_count of them): merges dyadic halves bottom-up
 // while the root-mean-square error of the merged polynomial over its interval stays below `tolerance`
 // (luminance-like: the largest channel), drops pieces below it, so the row's error is of the order of
 // `tolerance`. `active`: one flag a cell; inactive cells hold zero. Empty: all are active.

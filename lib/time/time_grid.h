@@ -2,8 +2,8 @@
 //
 // The interval of the animation is cut at its steps (where something jumps) into spans, so that real events
 // stay sharp; a span is cut into 2^n equal cells, the finest pieces that a function may have; a cell has
-// `order` Gauss-Legendre nodes, the dates at which the solver works. A dyadic interval is 2^l cells of one
-// span, aligned.
+// `order` Gauss-Legendre nodes, the time samples at which the solver works. A dyadic interval is 2^l cells of
+// one span, aligned.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct TimeGrid {
   std::vector<Span> spans;
 
   uint32_t cell_count() const;
-  uint32_t node_count() const { return cell_count() * static_cast<uint32_t>(order); }
+  uint32_t sample_count() const { return cell_count() * static_cast<uint32_t>(order); }
 };
 
 // A dyadic interval: cells [cell, cell + 2^log2_cells) of one span.
@@ -44,7 +44,7 @@ TimeGrid instant_grid(double time);
 
 uint32_t span_of_cell(const TimeGrid& grid, uint32_t cell);
 double cell_time(const TimeGrid& grid, double cell_coordinate, uint32_t span);  // first_cell.. : begin..end
-double node_time(const TimeGrid& grid, uint32_t node);
+double sample_time(const TimeGrid& grid, uint32_t node);
 double interval_begin(const TimeGrid& grid, Interval interval);
 double interval_end(const TimeGrid& grid, Interval interval);
 

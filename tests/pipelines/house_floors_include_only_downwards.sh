@@ -16,4 +16,15 @@ for floor in */; do
     }
   done
 done
+# Within solve/ each folder may include those before it.
+for folder in solve/*/; do
+  rule=$(grep -E "^- \`$folder\` (may include|includes no)" README.md) || { echo "lib/README.md: no rule for $folder"; exit 1; }
+  for other in $(grep -rhoE '#include "solve/[a-z_]+[/.]' "$folder" | sed 's/.*"//' | sort -u); do
+    [ "$other" = "$folder" ] || grep -qF "\`$other\`" <<<"${rule#*\`*\`}" || {
+      echo "lib/$folder includes $other:"
+      grep -rn "#include \"$other" "$folder"
+      status=1
+    }
+  done
+done
 exit $status

@@ -1,6 +1,6 @@
-// Direct light at one point over many dates.
+// Direct light at one point over many time samples.
 //
-// A point at rest looks at lamps at rest in the same way at all dates but while a moving body may pass
+// A point at rest looks at lamps at rest in the same way at all time samples but while a moving body may pass
 // between: their visibility is found once, and again only then.
 #pragma once
 
@@ -22,11 +22,11 @@ struct RestPoint {
 
 class DirectOverTime {
  public:
-  // Keeps references. `instants`: one a node of the grid. `samples`: see DirectLight::emitter_samples.
+  // Keeps references. `instants`: one a time sample. `samples`: see DirectLight::emitter_samples.
   DirectOverTime(const Scene& scene, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
                  const std::vector<Instant>& instants, int samples);
 
-  // Irradiance at the given nodes of the grid, W / m^2. Equal `seed` gives equal shadow points.
+  // Irradiance at the given time samples, W / m^2. Equal `seed` gives equal shadow points.
   std::vector<Rgb> irradiance(const RestPoint& point, const std::vector<uint32_t>& nodes, uint64_t seed,
                               uint64_t* rays) const;
 

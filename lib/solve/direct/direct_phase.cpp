@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/rng.h"
-#include "solve/mesh/whole_rows.h"
+#include "solve/mesh/undivided_rows.h"
 
 namespace strad {
 namespace {
@@ -100,7 +100,7 @@ void DirectPhase::evaluate(const std::vector<uint32_t>& vertices,
           values.push_back(have ? known.values[old * order + k] : found[next++]);
         old += have;
       }
-      f.values = PackedFunction(values);
+      f.values = FineFunction(values);
       functions_[vertex] = std::move(f);
     }
   });
@@ -176,24 +176,24 @@ std::vector<uint32_t> DirectPhase::worthwhile_cells(const Work& work) const {
 }
 
 void DirectPhase::run() {
-  std::vector<uint32_t> all_nodes(grid_.node_count());
+  std::vector<uint32_t> all_nodes(grid_.sample_count());
   std::iota(all_nodes.begin(), all_nodes.end(), 0u);
   const Mesh& mesh = builder_.mesh();
-  const auto of_whole = [&](uint32_t face, uint64_t* rays) {
+  const auto of_undivided = [&](uint32_t face, uint64_t* rays) {
     std::vector<std::vector<Rgb>> values;
-    const auto [first, count] = vertices_of_whole(mesh, face);
+    const auto [first, count] = vertices_of_undivided(mesh, face);
     for (uint32_t v = first; v < first + count; ++v) values.push_back(irradiance(v, all_nodes, rays));
     return values;
   };
-  whole_ = rows_of_whole_faces(grid_, builder_, options_.tolerance, of_whole, &rays_);
-  evaluations_ += uint64_t{builder_.whole_vertices()} * grid_.node_count();
+  undivided_rows_ = rows_of_undivided_faces(grid_, builder_, options_.tolerance, of_undivided, &rays_);
+  evaluations_ += uint64_t{builder_.undivided_vertices()} * grid_.sample_count();
   std::vector<uint32_t> all_cells(grid_.cell_count());
   std::iota(all_cells.begin(), all_cells.end(), 0u);
-  std::vector<uint32_t> corners(mesh.vertices.size() - builder_.whole_vertices());
-  std::iota(corners.begin(), corners.end(), builder_.whole_vertices());
+  std::vector<uint32_t> corners(mesh.vertices.size() - builder_.undivided_vertices());
+  std::iota(corners.begin(), corners.end(), builder_.undivided_vertices());
   evaluate(corners, std::vector<std::vector<uint32_t>>(corners.size(), all_cells));
   std::vector<Work> level;
-  for (uint32_t f = builder_.whole_faces(); f < mesh.faces.size(); ++f) {
+  for (uint32_t f = builder_.undivided_faces(); f < mesh.faces.size(); ++f) {
     const uint32_t root = mesh.faces[f].element;
     if (longest_edge(mesh, mesh.elements[root]) > options_.smallest_element)
       level.push_back({root, all_cells});
@@ -206,13 +206,13 @@ std::vector<Rgb> DirectPhase::mean_irradiance(uint32_t element, const std::vecto
   const Mesh& mesh = builder_.mesh();
   const Element& e = mesh.elements[element];
   std::vector<Rgb> mean(cells.size() * order);
-  if (builder_.face_of(element) < builder_.whole_faces()) {
-    const auto [first, count] = vertices_of_whole(mesh, builder_.face_of(element));
+  if (builder_.face_of(element) < builder_.undivided_faces()) {
+    const auto [first, count] = vertices_of_undivided(mesh, builder_.face_of(element));
     for (size_t i = 0; i < cells.size();) {  // runs of adjacent cells
       size_t j = i + 1;
       while (j < cells.size() && cells[j] == cells[j - 1] + 1) ++j;
       for (uint32_t v = first; v < first + count; ++v)
-        add_values(grid_, whole_, v, cells[i], static_cast<uint32_t>(j - i), &mean[i * order]);
+        add_values(grid_, undivided_rows_, v, cells[i], static_cast<uint32_t>(j - i), &mean[i * order]);
       i = j;
     }
     for (Rgb& value : mean) value = (1.0f / static_cast<float>(count)) * value;
@@ -246,18 +246,18 @@ std::vector<Rgb> DirectPhase::mean_irradiance(uint32_t element, const std::vecto
   return mean;
 }
 
-Field DirectPhase::surpluses() {
+Field DirectPhase::take_surpluses() {
   const auto order = static_cast<size_t>(grid_.order);
   const Mesh& mesh = builder_.mesh();
   const std::vector<bool> hanging = builder_.hanging_vertices();
   functions_.resize(mesh.vertices.size());
-  Field field = std::move(whole_);
-  for (uint32_t v = builder_.whole_vertices(); v < mesh.vertices.size(); ++v) {
+  Field field = std::move(undivided_rows_);
+  for (uint32_t v = builder_.undivided_vertices(); v < mesh.vertices.size(); ++v) {
     SparseFunction& f = functions_[v];
     if (hanging[v]) f = {};  // from now on it is the mean of its parents, for its children too
     const MeshVertex& vertex = mesh.vertices[v];
     const int parents = vertex.parents[0] == kNone ? 0 : vertex.parents[2] == kNone ? 2 : 4;
-    std::vector<Rgb> row(grid_.node_count());
+    std::vector<Rgb> row(grid_.sample_count());
     std::vector<bool> active(grid_.cell_count(), false);
     for (size_t i = 0; i < f.cells.size(); ++i) {
       active[f.cells[i]] = true;

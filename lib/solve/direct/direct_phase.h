@@ -12,7 +12,7 @@
 #include "solve/direct/direct_over_time.h"
 #include "solve/mesh/mesh_builder.h"
 #include "time/field.h"
-#include "time/packed_function.h"
+#include "time/scaled_function.h"
 #include "time/time_grid.h"
 
 namespace strad {
@@ -20,7 +20,7 @@ namespace strad {
 // Values at the nodes of some cells only: cells ascending, `order` values a cell.
 struct SparseFunction {
   std::vector<uint32_t> cells;
-  PackedFunction values;
+  FineFunction values;
 };
 
 struct DirectOptions {
@@ -33,7 +33,7 @@ struct DirectOptions {
 
 class DirectPhase {
  public:
-  // Keeps references. `instants`: one a node of the grid.
+  // Keeps references. `instants`: one a time sample.
   DirectPhase(const Scene& scene, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
               const std::vector<Instant>& instants, const DirectOptions& options, MeshBuilder* builder);
 
@@ -45,7 +45,7 @@ class DirectPhase {
 
   // Surpluses of every vertex of the builder's mesh as it is now, with an error about the tolerance. Gives
   // back the memory of the values.
-  Field surpluses();
+  Field take_surpluses();
 
   uint64_t evaluations() const { return evaluations_; }
   uint64_t rays() const { return rays_; }
@@ -55,7 +55,7 @@ class DirectPhase {
     uint32_t element;
     std::vector<uint32_t> cells;  // in which it is to be split
   };
-  // At a vertex and nodes of the grid.
+  // At a vertex and time samples.
   std::vector<Rgb> irradiance(uint32_t vertex, const std::vector<uint32_t>& nodes, uint64_t* rays) const;
   void evaluate(const std::vector<uint32_t>& vertices, const std::vector<std::vector<uint32_t>>& cells);
   std::vector<Work> split(const std::vector<Work>& level);
@@ -71,7 +71,7 @@ class DirectPhase {
   double total_area_ = 0;
   std::vector<SparseFunction> functions_;           // a vertex
   std::vector<std::vector<uint32_t>> split_cells_;  // an element
-  Field whole_;                                     // of the vertices of whole faces
+  Field undivided_rows_;                            // of the vertices of undivided faces
   uint64_t evaluations_ = 0, rays_ = 0;
 };
 

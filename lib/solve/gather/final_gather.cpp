@@ -9,15 +9,15 @@
 namespace strad {
 namespace {
 
-constexpr uint32_t kNothing = 0xfffffffeu;  // the ray leaves the scene: no light, but an open view
-constexpr uint32_t kDead = 0xffffffffu;     // a surface that no light reaches
+constexpr uint32_t kEmpty = 0xfffffffeu;  // the ray leaves the scene: no light, but an open view
+constexpr uint32_t kUnlit = 0xffffffffu;  // a surface that no light reaches
 
 constexpr float kFree = 0.95f;  // a view as open as this is not blocked
 
 }  // namespace
 
 FinalGather::FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid,
-                         const SweptBounds& swept, const LightFunctions& radiance, int rays)
+                         const SweptBounds& swept, const FunctionBlock& radiance, int rays)
     : tree_(tree), tracer_(tracer), grid_(grid), swept_(swept), radiance_(radiance), rays_(rays) {
   const size_t bodies = tree.scene().bodies.size();
   for (size_t b = 0; b < bodies; ++b) {
@@ -48,36 +48,37 @@ Vec3 FinalGather::origin(const Receiver& receiver, int ray) const {
   return at + tracer_.offset() * receiver.normal;
 }
 
-uint32_t FinalGather::light_of(const SurfaceHit& hit) const {
-  if (hit.polygon == kNone) return kNothing;
-  const uint32_t light = tree_.light_at(hit.polygon, hit.front ? 0 : 1, hit.rest_point);
-  return light == kNone ? kDead : light;
+uint32_t FinalGather::leaf_of(const SurfaceHit& hit) const {
+  if (hit.polygon == kNone) return kEmpty;
+  const uint32_t leaf = tree_.leaf_at(hit.polygon, hit.front ? 0 : 1, hit.rest_point);
+  return leaf == kNone ? kUnlit : leaf;
 }
 
-void FinalGather::add(uint32_t light, uint32_t first_date, uint32_t date_count, const float* weights,
+void FinalGather::add(uint32_t leaf, uint32_t first_sample, uint32_t sample_count, const float* weights,
                       GatheredFunction* to) const {
-  if (light == kNothing) return;
-  if (light == kDead) {
-    for (uint32_t i = 0; i < date_count; ++i) to->open[first_date + i] -= weights[i];
+  if (leaf == kEmpty) return;
+  if (leaf == kUnlit) {
+    for (uint32_t i = 0; i < sample_count; ++i) to->unblocked[first_sample + i] -= weights[i];
     return;
   }
-  radiance_.add(light, first_date, date_count, weights, &to->irradiance[first_date]);
+  radiance_.add(leaf, first_sample, sample_count, weights, &to->irradiance[first_sample]);
 }
 
 GatheredFunction FinalGather::at_rest(const Receiver& receiver, uint64_t* rays) const {
   const std::vector<Pose>& poses = swept_.cell_begin_poses(0);
   const uint32_t cells = grid_.cell_count(), order = static_cast<uint32_t>(grid_.order);
   const Pose& pose = poses[receiver.body];
-  GatheredFunction sum{std::vector<Rgb>(grid_.node_count()), std::vector<float>(grid_.node_count(), 1.0f)};
+  GatheredFunction sum{std::vector<Rgb>(grid_.sample_count()),
+                       std::vector<float>(grid_.sample_count(), 1.0f)};
   const float share = 1.0f / static_cast<float>(receiver.rays);
-  std::vector<uint32_t> always;  // leaves seen at all dates
-  std::vector<float> weights(grid_.node_count());
+  std::vector<uint32_t> always;  // leaves seen at all time samples
+  std::vector<float> weights(grid_.sample_count());
   std::vector<uint32_t> at_begin(cells), at_end(cells);
   for (int r = 0; r < receiver.rays; ++r) {
     const Vec3 from = pose * origin(receiver, r), towards = rotate(pose, direction(receiver, r));
     const SurfaceHit behind = tracer_.closest_of(poses, still_mask_, from, towards, 1e30);
     ++*rays;
-    const uint32_t behind_leaf = light_of(behind);
+    const uint32_t behind_leaf = leaf_of(behind);
     const double reach = behind.polygon == kNone ? 1e30 : behind.distance;
     if (!swept_.may_meet(from, towards, reach)) {
       always.push_back(behind_leaf);
@@ -91,7 +92,7 @@ GatheredFunction FinalGather::at_rest(const Receiver& receiver, uint64_t* rays) 
       const SurfaceHit hit = tracer_.closest_of(at, moving_mask_, from, towards, reach);
       if (hit.polygon == kNone) return behind_leaf;
       changes = true;
-      return light_of(hit);
+      return leaf_of(hit);
     };
     for (uint32_t c = 0; c < cells; ++c) {
       const bool first_of_span = grid_.spans[span_of_cell(grid_, c)].first_cell == c;
@@ -125,7 +126,7 @@ GatheredFunction FinalGather::at_rest(const Receiver& receiver, uint64_t* rays) 
     size_t j = i;
     while (j < always.size() && always[j] == always[i]) ++j;
     std::fill(weights.begin(), weights.end(), share * static_cast<float>(j - i));
-    add(always[i], 0, grid_.node_count(), weights.data(), &sum);
+    add(always[i], 0, grid_.sample_count(), weights.data(), &sum);
     i = j;
   }
   return sum;
@@ -133,17 +134,18 @@ GatheredFunction FinalGather::at_rest(const Receiver& receiver, uint64_t* rays) 
 
 GatheredFunction FinalGather::in_motion(const Receiver& receiver, uint64_t* rays) const {
   const uint32_t order = static_cast<uint32_t>(grid_.order);
-  GatheredFunction sum{std::vector<Rgb>(grid_.node_count()), std::vector<float>(grid_.node_count(), 1.0f)};
-  // Two sets of rays are blended at each date, so half of the rays in each give the same noise.
+  GatheredFunction sum{std::vector<Rgb>(grid_.sample_count()),
+                       std::vector<float>(grid_.sample_count(), 1.0f)};
+  // Two sets of rays are blended at each time sample, so half of the rays in each give the same noise.
   const int ray_count = std::max(1, receiver.rays / 2);
   const float share = 1.0f / static_cast<float>(ray_count);
-  std::vector<std::pair<Vec3, Vec3>> rest_rays;  // the same at all dates
+  std::vector<std::pair<Vec3, Vec3>> rest_rays;  // the same at all time samples
   for (int r = 0; r < ray_count; ++r) rest_rays.emplace_back(origin(receiver, r), direction(receiver, r));
   const auto look = [&](const std::vector<Pose>& poses) {
     const Pose& pose = poses[receiver.body];
     std::vector<uint32_t> seen;
     for (const auto& [from, towards] : rest_rays)
-      seen.push_back(light_of(tracer_.closest(poses, pose * from, rotate(pose, towards))));
+      seen.push_back(leaf_of(tracer_.closest(poses, pose * from, rotate(pose, towards))));
     *rays += static_cast<uint64_t>(ray_count);
     std::sort(seen.begin(), seen.end());
     return seen;
@@ -156,17 +158,17 @@ GatheredFunction FinalGather::in_motion(const Receiver& receiver, uint64_t* rays
     for (uint32_t c = 0; c < cells; c += step) {
       const uint32_t first = span.first_cell + c;
       std::vector<uint32_t> after = look(swept_.cell_end_poses(first + step - 1));
-      const uint32_t dates = step * order;
-      weights.resize(2 * dates);
+      const uint32_t time_samples = step * order;
+      weights.resize(2 * time_samples);
       const auto blend = [&](const std::vector<uint32_t>& seen, bool rising) {
         for (size_t i = 0; i < seen.size();) {
           size_t j = i;
           while (j < seen.size() && seen[j] == seen[i]) ++j;
-          for (uint32_t d = 0; d < dates; ++d) {
+          for (uint32_t d = 0; d < time_samples; ++d) {
             const double s = (d / order + gauss_nodes(grid_.order)[d % order]) / step;
             weights[d] = share * static_cast<float>(j - i) * static_cast<float>(rising ? s : 1 - s);
           }
-          add(seen[i], first * order, dates, weights.data(), &sum);
+          add(seen[i], first * order, time_samples, weights.data(), &sum);
           i = j;
         }
       };
@@ -185,7 +187,7 @@ FinalGather::Receiver FinalGather::receiver_on(uint32_t face, Vec3 position, uin
   receiver.normal = tree_.face_normal(face);
   receiver.body = body_of(tree_.scene(), tree_.scene().polygons[builder.mesh().faces[face].polygon]);
   receiver.seed = seed;
-  receiver.rays = static_cast<int>(builder.prominence(face) * rays_);
+  receiver.rays = static_cast<int>(builder.accuracy_share(face) * rays_);
   return receiver;
 }
 
@@ -219,32 +221,33 @@ GatheredFunction FinalGather::gather(const Receiver& receiver, uint64_t* rays) c
 
 GatheredFunction FinalGather::at_vertex(uint32_t vertex, uint64_t* rays) const {
   GatheredFunction f = gather(receiver_of_vertex(vertex), rays);
-  // Where most of the view is blocked by dead surfaces the point is buried: its neighbours will speak for it.
+  // Where most of the view is blocked by unlit surfaces the point is buried: its neighbours will speak for
+  // it.
   for (size_t i = 0; i < f.irradiance.size(); ++i)
-    f.irradiance[i] = (1 / std::max(f.open[i], 0.1f)) * f.irradiance[i];
-  if (*std::min_element(f.open.begin(), f.open.end()) > kFree) f.open = {};
+    f.irradiance[i] = (1 / std::max(f.unblocked[i], 0.1f)) * f.irradiance[i];
+  if (*std::min_element(f.unblocked.begin(), f.unblocked.end()) > kFree) f.unblocked = {};
   return f;
 }
 
-GatheredFunction FinalGather::over_light(uint32_t light, uint64_t* rays) const {
+GatheredFunction FinalGather::over_leaf(uint32_t leaf, uint64_t* rays) const {
   const size_t nodes = tree_.nodes().size();
-  return gather(light < nodes ? receiver_of_patch(tree_.nodes()[light])
-                              : receiver_of_face(light - static_cast<uint32_t>(nodes)),
+  return gather(leaf < nodes ? receiver_of_patch(tree_.nodes()[leaf])
+                             : receiver_of_face(leaf - static_cast<uint32_t>(nodes)),
                 rays);
 }
 
 FinalGather::View FinalGather::view_of(const Receiver& receiver) const {
   const std::vector<Pose>& poses = swept_.cell_begin_poses(grid_.cell_count() / 2);
   const Pose& pose = poses[receiver.body];
-  int lit = 0, dead = 0;
+  int lit = 0, unlit = 0;
   for (int r = 0; r < receiver.rays; ++r) {
-    const uint32_t light =
-        light_of(tracer_.closest(poses, pose * origin(receiver, r), rotate(pose, direction(receiver, r))));
-    dead += light == kDead;
-    lit += light != kDead && light != kNothing;
+    const uint32_t leaf =
+        leaf_of(tracer_.closest(poses, pose * origin(receiver, r), rotate(pose, direction(receiver, r))));
+    unlit += leaf == kUnlit;
+    lit += leaf != kUnlit && leaf != kEmpty;
   }
   const auto all = static_cast<float>(receiver.rays);
-  return {static_cast<float>(lit) / all, static_cast<float>(dead) / all};
+  return {static_cast<float>(lit) / all, static_cast<float>(unlit) / all};
 }
 
 FinalGather::View FinalGather::view_of(uint32_t n, uint64_t* rays) const {
@@ -266,7 +269,7 @@ FinalGather::View FinalGather::view_of(uint32_t n, uint64_t* rays) const {
     receiver.rays = std::max(1, rays_ / Cluster::kSamples);
     const View view = view_of(receiver);
     mean.lit += view.lit / Cluster::kSamples;
-    mean.dead += view.dead / Cluster::kSamples;
+    mean.unlit += view.unlit / Cluster::kSamples;
   }
   return mean;
 }

@@ -3,8 +3,9 @@
 //
 // Links carry light well but mean it over patches; a ray sees exactly what a point sees, near things
 // included. A ray of a vertex at rest needs to be traced again only while a moving body is near it; vertices
-// of moving bodies trace theirs at key dates, and what two neighbouring key dates see is blended between
-// them, with the light of each very date. So the gather is as steady in time as the motion.
+// of moving bodies trace theirs at key time samples, and what two neighbouring key time samples see is
+// blended between them, with the light of each very time sample. So the gather is as steady in time as the
+// motion.
 #pragma once
 
 #include <cstdint>
@@ -14,33 +15,38 @@
 #include "light/tracer.h"
 #include "solve/links/nodes.h"
 #include "solve/prepare/swept.h"
-#include "time/light_functions.h"
+#include "time/function_block.h"
 #include "time/time_grid.h"
 
 namespace strad {
 
+// Rays per leaf: noise of some 5 % (10 % for a small face), averaged over the hundreds that a point sees.
+constexpr int kLeafRays = 128;
+constexpr float kLeastUnblocked = 0.2f;  // of the view of a leaf: below, its few free rays say too little
+
 struct GatheredFunction {
   std::vector<Rgb>
-      irradiance;  // W / m^2, at every node of the grid, scaled up to what a free hemisphere would get
-  std::vector<float> open;  // at every node: share of the view not blocked by dead surfaces; empty: all of it
+      irradiance;  // W / m^2, at every time sample, scaled up to what a free hemisphere would get
+  std::vector<float>
+      unblocked;  // at every node: share of the view not blocked by unlit surfaces; empty: all of it
 };
 
 class FinalGather {
  public:
-  // `radiance`: [light] without emission (see NodeTree::light_at). `rays`: of a vertex or light of a large
-  // face; small ones get fewer, by their prominence. Keeps references.
+  // `radiance`: [light] without emission (see NodeTree::leaf_at). `rays`: of a vertex or light of a large
+  // face; small ones get fewer, by their accuracy share. Keeps references.
   FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
-              const LightFunctions& radiance, int rays);
+              const FunctionBlock& radiance, int rays);
 
   // At a vertex, or over the uniform face that it stands for.
   GatheredFunction at_vertex(uint32_t vertex, uint64_t* rays) const;
   // The mean over a light: each ray starts at another point of it. Not scaled up; `open` always filled.
-  GatheredFunction over_light(uint32_t light, uint64_t* rays) const;
+  GatheredFunction over_leaf(uint32_t leaf, uint64_t* rays) const;
 
-  // What the rays of a leaf meet, as shares of all: surfaces that take part, and dead ones. Where a node is
-  // partly covered (a box stands on it) the covered part sees only the dead inside of what covers it.
+  // What the rays of a leaf meet, as shares of all: surfaces that take part, and unlit ones. Where a node is
+  // partly covered (a box stands on it) the covered part sees only the unlit inside of what covers it.
   struct View {
-    float lit = 1, dead = 0;
+    float lit = 1, unlit = 0;
   };
   View view_of(uint32_t node, uint64_t* rays) const;
 
@@ -64,15 +70,15 @@ class FinalGather {
   GatheredFunction in_motion(const Receiver& receiver, uint64_t* rays) const;
   Vec3 direction(const Receiver& receiver, int ray) const;
   Vec3 origin(const Receiver& receiver, int ray) const;
-  uint32_t light_of(const SurfaceHit& hit) const;
-  void add(uint32_t light, uint32_t first_date, uint32_t date_count, const float* weights,
+  uint32_t leaf_of(const SurfaceHit& hit) const;
+  void add(uint32_t leaf, uint32_t first_sample, uint32_t sample_count, const float* weights,
            GatheredFunction* to) const;
 
   const NodeTree& tree_;
   const Tracer& tracer_;
   const TimeGrid& grid_;
   const SweptBounds& swept_;
-  const LightFunctions& radiance_;
+  const FunctionBlock& radiance_;
   int rays_;
   std::vector<bool> still_mask_, moving_mask_;
 };

@@ -1,16 +1,15 @@
 #include "solve/gather/indirect_phase.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
 #include <utility>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "solve/mesh/mesh_smoothing.h"
-#include "solve/mesh/whole_rows.h"
+#include "solve/mesh/undivided_rows.h"
 
 namespace strad {
 namespace {
@@ -20,27 +19,27 @@ int parent_count(const MeshVertex& vertex) {
 }
 
 template <typename Function>
-float open_of(const Function& function, size_t date) {
-  return function.open.empty() ? 1.0f : function.open[date];
+float unblocked_of(const Function& function, size_t time_sample) {
+  return function.unblocked.empty() ? 1.0f : function.unblocked[time_sample];
 }
 
 // Where the view of `own` is blocked, gives it what those of `others` have that are free.
 template <typename Function>
 void fill(const std::vector<const Function*>& others, GatheredFunction* own) {
   constexpr float kTrusted = 0.6f;  // from here on a view speaks for itself
-  for (size_t i = 0; i < own->open.size(); ++i) {
-    if (own->open[i] >= kTrusted) continue;
+  for (size_t i = 0; i < own->unblocked.size(); ++i) {
+    if (own->unblocked[i] >= kTrusted) continue;
     Rgb sum;
     float weight = 0;
     for (const Function* other : others) {
-      const float w = std::max(0.0f, open_of(*other, i) - 0.55f);
+      const float w = std::max(0.0f, unblocked_of(*other, i) - 0.55f);
       sum += w * other->irradiance[i];
       weight += w;
     }
     if (!(weight > 0)) continue;
-    const float part = std::clamp((own->open[i] - 0.5f) / (kTrusted - 0.5f), 0.0f, 1.0f);
+    const float part = std::clamp((own->unblocked[i] - 0.5f) / (kTrusted - 0.5f), 0.0f, 1.0f);
     own->irradiance[i] = part * own->irradiance[i] + ((1 - part) / weight) * sum;
-    own->open[i] = kTrusted;
+    own->unblocked[i] = kTrusted;
   }
 }
 
@@ -63,7 +62,7 @@ void IndirectPhase::evaluate(const std::vector<uint32_t>& vertices) {
   parallel_for(fresh.size(), 4, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       GatheredFunction f = gather_.at_vertex(fresh[i], &rays[i]);
-      functions_[fresh[i]] = {TightFunction(f.irradiance), std::move(f.open)};
+      functions_[fresh[i]] = {CoarseFunction(f.irradiance), std::move(f.unblocked)};
     }
   });
   rays_ += std::accumulate(rays.begin(), rays.end(), uint64_t{0});
@@ -72,40 +71,40 @@ void IndirectPhase::evaluate(const std::vector<uint32_t>& vertices) {
 std::vector<Rgb> IndirectPhase::parents_mean(uint32_t vertex) const {
   const MeshVertex& v = builder_.mesh().vertices[vertex];
   const int count = parent_count(v);
-  std::vector<Rgb> mean(grid_.node_count());
+  std::vector<Rgb> mean(grid_.sample_count());
   for (int p = 0; p < count; ++p) {
     // A parent without a function of its own (it hangs, or belongs to direct light alone) is the mean of its
     // own.
-    const TightFunction& own = functions_[v.parents[p]].irradiance;
+    const CoarseFunction& own = functions_[v.parents[p]].irradiance;
     const std::vector<Rgb> of_parent = own.empty() ? parents_mean(v.parents[p]) : own.unpacked();
     for (size_t i = 0; i < mean.size(); ++i) mean[i] += (1.0f / static_cast<float>(count)) * of_parent[i];
   }
   return mean;
 }
 
-// Does the foot of something cross the element at some date? Light there changes too fast to be told from a
-// few vertices, half of which see nothing.
-bool IndirectPhase::is_partly_buried(uint32_t element) const {
+// Does the foot of something cross the element at some time sample? Light there changes too fast to be told
+// from a few vertices, half of which see nothing.
+bool IndirectPhase::is_partly_blocked(uint32_t element) const {
   const Element& e = builder_.mesh().elements[element];
   uint32_t vertices[9];
   int count = builder_.middles(element, vertices);
   for (int i = 0; i < e.corner_count(); ++i) vertices[count++] = e.vertices[i];
   const bool any =
-      std::any_of(vertices, vertices + count, [&](uint32_t v) { return !functions_[v].open.empty(); });
+      std::any_of(vertices, vertices + count, [&](uint32_t v) { return !functions_[v].unblocked.empty(); });
   if (!any) return false;
-  for (size_t i = 0; i < grid_.node_count(); ++i) {
-    int buried = 0, known = 0;
+  for (size_t i = 0; i < grid_.sample_count(); ++i) {
+    int blocked = 0, known = 0;
     for (int v = 0; v < count; ++v) {
       if (functions_[vertices[v]].irradiance.empty()) continue;
       ++known;
-      buried += open_of(functions_[vertices[v]], i) < 0.5f;
+      blocked += unblocked_of(functions_[vertices[v]], i) < 0.5f;
     }
-    if (buried > 0 && buried < known) return true;
+    if (blocked > 0 && blocked < known) return true;
   }
   return false;
 }
 
-// Do the vertices that splitting this element has added differ from what their parents foretold?
+// Do the vertices that splitting this element has added differ from what their parents interpolated?
 bool IndirectPhase::worth_splitting(uint32_t element) const {
   const Mesh& mesh = builder_.mesh();
   const Element& e = mesh.elements[element];
@@ -113,7 +112,7 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
   const double edge = std::max(length(at(1) - at(0)), length(at(2) - at(1)));
   if (edge < 2 * options_.smallest_element) return false;
   if (edge > 2 * options_.largest_element) return true;
-  if (is_partly_buried(element)) return true;
+  if (is_partly_blocked(element)) return true;
   const Polygon& polygon = scene_.polygons[mesh.faces[builder_.face_of(element)].polygon];
   const double area = length(cross(at(1) - at(0), at(2) - at(0))) * (e.corner_count() == 4 ? 1 : 0.5);
   const auto scale = static_cast<float>(max_channel(scene_.materials[polygon.material].reflectance) / kPi *
@@ -121,14 +120,14 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
   uint32_t middles[5];
   const int count = builder_.middles(element, middles);
   for (int m = 0; m < count; ++m) {
-    const std::vector<Rgb> foretold = parents_mean(middles[m]);
+    const std::vector<Rgb> interpolated = parents_mean(middles[m]);
     const VertexFunction& own = functions_[middles[m]];
-    for (size_t i = 0; i < foretold.size(); ++i) {
-      float open = open_of(own, i);
+    for (size_t i = 0; i < interpolated.size(); ++i) {
+      float unblocked = unblocked_of(own, i);
       for (int p = 0; p < parent_count(mesh.vertices[middles[m]]); ++p)
-        open = std::min(open, open_of(functions_[mesh.vertices[middles[m]].parents[p]], i));
-      if (open < 0.5f) continue;  // buried: what is known there is not light
-      const Rgb surplus = own.irradiance[i] - foretold[i];
+        unblocked = std::min(unblocked, unblocked_of(functions_[mesh.vertices[middles[m]].parents[p]], i));
+      if (unblocked < 0.5f) continue;  // buried: what is known there is not light
+      const Rgb surplus = own.irradiance[i] - interpolated[i];
       if (std::max({std::abs(surplus.r), std::abs(surplus.g), std::abs(surplus.b)}) * scale >
           options_.threshold)
         return true;
@@ -139,13 +138,13 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
 
 void IndirectPhase::run() {
   const Mesh& mesh = builder_.mesh();
-  whole_ = rows_of_whole_faces(
+  undivided_rows_ = rows_of_undivided_faces(
       grid_, builder_, options_.tolerance,
-      [&](uint32_t face, uint64_t* rays) { return of_whole_face(face, rays); }, &rays_);
-  whole_ = without_noise(grid_, builder_, options_.tolerance, std::move(whole_));
-  malloc_trim(0);  // their rays and rows were many small things
+      [&](uint32_t face, uint64_t* rays) { return gather_undivided_face(face, rays); }, &rays_);
+  undivided_rows_ = denoise_uniform_faces(grid_, builder_, options_.tolerance, std::move(undivided_rows_));
+  release_freed_memory();  // their rays and rows were many small things
   std::vector<uint32_t> level, vertices;
-  for (uint32_t f = builder_.whole_faces(); f < mesh.faces.size(); ++f) {
+  for (uint32_t f = builder_.undivided_faces(); f < mesh.faces.size(); ++f) {
     level.push_back(mesh.faces[f].element);
     for (int c = 0; c < mesh.elements[level.back()].corner_count(); ++c)
       vertices.push_back(mesh.elements[level.back()].vertices[c]);
@@ -186,11 +185,11 @@ void IndirectPhase::run() {
 // A vertex inside another body sees nothing but its dark inside: give it what its free neighbours have, so
 // that no dark cell shows at the foot of things. Those farther inside follow, for they may be parents of what
 // is seen.
-void IndirectPhase::fill_buried() {
+void IndirectPhase::fill_blocked_vertices() {
   const Mesh& mesh = builder_.mesh();
   std::vector<uint32_t> blocked, rank(functions_.size(), kNone);
   for (uint32_t v = 0; v < functions_.size(); ++v) {
-    if (functions_[v].open.empty()) continue;
+    if (functions_[v].unblocked.empty()) continue;
     rank[v] = static_cast<uint32_t>(blocked.size());
     blocked.push_back(v);
   }
@@ -216,18 +215,18 @@ void IndirectPhase::fill_buried() {
 
 IndirectPhase::VertexFunction IndirectPhase::filled_from(uint32_t vertex,
                                                          const std::vector<uint32_t>& neighbours) const {
-  GatheredFunction own{functions_[vertex].irradiance.unpacked(), functions_[vertex].open};
+  GatheredFunction own{functions_[vertex].irradiance.unpacked(), functions_[vertex].unblocked};
   std::vector<const VertexFunction*> others;
   for (const uint32_t n : neighbours)
     if (!functions_[n].irradiance.empty()) others.push_back(&functions_[n]);
   fill(others, &own);
-  return {TightFunction(own.irradiance), std::move(own.open)};
+  return {CoarseFunction(own.irradiance), std::move(own.unblocked)};
 }
 
 // The vertices of a face that is never split fill one another.
-std::vector<std::vector<Rgb>> IndirectPhase::of_whole_face(uint32_t face, uint64_t* rays) const {
+std::vector<std::vector<Rgb>> IndirectPhase::gather_undivided_face(uint32_t face, uint64_t* rays) const {
   std::vector<GatheredFunction> found;
-  const auto [first, count] = vertices_of_whole(builder_.mesh(), face);
+  const auto [first, count] = vertices_of_undivided(builder_.mesh(), face);
   for (uint32_t v = first; v < first + count; ++v) found.push_back(gather_.at_vertex(v, rays));
   std::vector<const GatheredFunction*> all;
   for (const GatheredFunction& function : found) all.push_back(&function);
@@ -240,7 +239,7 @@ std::vector<std::vector<Rgb>> IndirectPhase::of_whole_face(uint32_t face, uint64
   return rows;
 }
 
-void IndirectPhase::take_out_noise() {
+void IndirectPhase::denoise() {
   const Mesh& mesh = builder_.mesh();
   std::vector<bool> visited(mesh.elements.size(), false);
   for (const uint32_t element : visited_) visited[element] = true;
@@ -251,13 +250,13 @@ void IndirectPhase::take_out_noise() {
   }
   std::vector<std::vector<NeighbourPair>> pairs = opposite_neighbours(mesh, leaves, options_.smoothed_up_to);
   const auto is_free = [&](uint32_t v) {
-    return !functions_[v].irradiance.empty() && functions_[v].open.empty();
+    return !functions_[v].irradiance.empty() && functions_[v].unblocked.empty();
   };
   for (uint32_t v = 0; v < pairs.size(); ++v)
     std::erase_if(pairs[v], [&](const NeighbourPair& pair) {
       return !is_free(v) || !is_free(pair.a) || !is_free(pair.b);
     });
-  smooth(pairs, [&](uint32_t v) -> TightFunction& { return functions_[v].irradiance; });
+  smooth(pairs, [&](uint32_t v) -> CoarseFunction& { return functions_[v].irradiance; });
 }
 
 // For each vertex the last one whose surplus asks for its function.
@@ -277,11 +276,11 @@ std::vector<uint32_t> IndirectPhase::last_users_of_functions() const {
   return last_user;
 }
 
-Field IndirectPhase::surpluses() {
+Field IndirectPhase::take_surpluses() {
   const Mesh& mesh = builder_.mesh();
   functions_.resize(mesh.vertices.size());
-  fill_buried();
-  take_out_noise();
+  fill_blocked_vertices();
+  denoise();
   const std::vector<bool> hanging = builder_.hanging_vertices();
   for (size_t v = 0; v < hanging.size(); ++v)
     if (hanging[v]) functions_[v] = {};
@@ -292,15 +291,15 @@ Field IndirectPhase::surpluses() {
     return std::pair(last_users[a], a) < std::pair(last_users[b], b);
   });
   auto done = by_last_user.begin();
-  Field field = std::move(whole_);
-  for (uint32_t v = builder_.whole_vertices(); v < mesh.vertices.size(); ++v) {
+  Field field = std::move(undivided_rows_);
+  for (uint32_t v = builder_.undivided_vertices(); v < mesh.vertices.size(); ++v) {
     // Functions go as their rows come, and their pages with them.
     for (; done != by_last_user.end() && last_users[*done] < v; ++done) functions_[*done] = {};
-    if (v % 4096 == 0) malloc_trim(0);
-    const TightFunction& own = functions_[v].irradiance;
+    if (v % 4096 == 0) release_freed_memory();
+    const CoarseFunction& own = functions_[v].irradiance;
     if (own.empty()) {
       if (parent_count(mesh.vertices[v]) == 0)
-        functions_[v].irradiance = TightFunction(std::vector<Rgb>(grid_.node_count()));
+        functions_[v].irradiance = CoarseFunction(std::vector<Rgb>(grid_.sample_count()));
       field.first_piece.push_back(static_cast<uint32_t>(field.pieces.size()));
       continue;
     }

@@ -8,7 +8,7 @@
 #include "solve/gather/final_gather.h"
 #include "solve/mesh/mesh_builder.h"
 #include "time/field.h"
-#include "time/packed_function.h"
+#include "time/scaled_function.h"
 #include "time/time_grid.h"
 
 namespace strad {
@@ -30,22 +30,22 @@ class IndirectPhase {
   void run();
 
   // Surpluses of every vertex of the builder's mesh as it is now, with an error about the tolerance.
-  Field surpluses();
+  Field take_surpluses();
 
   uint64_t rays() const { return rays_; }
 
  private:
   // What FinalGather found, at half the memory.
   struct VertexFunction {
-    TightFunction irradiance;  // W / m^2, at every node of the grid; empty where none was wanted
-    std::vector<float> open;   // as in GatheredFunction
+    CoarseFunction irradiance;     // W / m^2, at every time sample; empty where none was wanted
+    std::vector<float> unblocked;  // as in GatheredFunction
   };
   void evaluate(const std::vector<uint32_t>& vertices);
   bool worth_splitting(uint32_t element) const;
-  bool is_partly_buried(uint32_t element) const;
-  void fill_buried();
-  void take_out_noise();
-  std::vector<std::vector<Rgb>> of_whole_face(uint32_t face, uint64_t* rays) const;
+  bool is_partly_blocked(uint32_t element) const;
+  void fill_blocked_vertices();
+  void denoise();
+  std::vector<std::vector<Rgb>> gather_undivided_face(uint32_t face, uint64_t* rays) const;
   VertexFunction filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const;
   std::vector<Rgb> parents_mean(uint32_t vertex) const;
   std::vector<uint32_t> last_users_of_functions() const;
@@ -58,7 +58,7 @@ class IndirectPhase {
   double total_area_ = 0;
   std::vector<VertexFunction> functions_;  // a vertex; empty where none was wanted
   std::vector<uint32_t> visited_;          // elements whose corners have functions
-  Field whole_;                            // of the vertices of whole faces
+  Field undivided_rows_;                   // of the vertices of undivided faces
   uint64_t rays_ = 0;
 };
 

@@ -5,18 +5,18 @@
 namespace strad {
 namespace {
 
-constexpr size_t kMostDates = 64;  // of a block
+constexpr size_t kMostSamples = 64;  // of a block
 
-// Kernel of a dynamic link at each of the dates; zero outside its interval.
-void kernel_at(const TimeGrid& grid, const LinkTable::Dynamic& link, const std::vector<uint32_t>& dates,
-               float* kernel) {
+// Kernel of a dynamic link at each of the time samples; zero outside its interval.
+void kernel_at(const TimeGrid& grid, const LinkTable::Dynamic& link,
+               const std::vector<uint32_t>& time_samples, float* kernel) {
   const auto order = static_cast<uint32_t>(grid.order);
-  for (size_t i = 0; i < dates.size(); ++i) {
-    const uint32_t cell = dates[i] / order;
+  for (size_t i = 0; i < time_samples.size(); ++i) {
+    const uint32_t cell = time_samples[i] / order;
     kernel[i] = 0;
     if (cell < link.interval.cell || cell >= link.interval.cell + link.interval.cell_count()) continue;
-    const double s =
-        (cell - link.interval.cell + gauss_nodes(grid.order)[dates[i] % order]) / link.interval.cell_count();
+    const double s = (cell - link.interval.cell + gauss_nodes(grid.order)[time_samples[i] % order]) /
+                     link.interval.cell_count();
     double weights[kMaxOrder];
     lagrange_weights(grid.order, s, weights);
     for (uint32_t k = 0; k < order; ++k) kernel[i] += static_cast<float>(weights[k]) * link.kernel[k];
@@ -26,11 +26,12 @@ void kernel_at(const TimeGrid& grid, const LinkTable::Dynamic& link, const std::
 
 }  // namespace
 
-LinkGather::LinkGather(const TransportInput& input, const std::vector<uint32_t>& dates)
-    : tree_(*input.tree), links_(*input.links), count_(dates.size()) {
-  for (const uint32_t date : dates) instants_.push_back(&(*input.instants)[date]);
-  const auto order = static_cast<uint32_t>(input.grid->order);
-  const uint32_t first = dates.front() / order, last = dates.back() / order;
+LinkGather::LinkGather(const TimeGrid& grid, const NodeTree& tree, const LinkTable& links,
+                       const std::vector<Instant>& instants, const std::vector<uint32_t>& time_samples)
+    : tree_(tree), links_(links), count_(time_samples.size()) {
+  for (const uint32_t time_sample : time_samples) instants_.push_back(&instants[time_sample]);
+  const auto order = static_cast<uint32_t>(grid.order);
+  const uint32_t first = time_samples.front() / order, last = time_samples.back() / order;
   const size_t nodes = links_.first_dynamic.size() - 1;
   first_dynamic_.push_back(0);
   for (size_t p = 0; p < nodes; ++p) {
@@ -39,28 +40,28 @@ LinkGather::LinkGather(const TransportInput& input, const std::vector<uint32_t>&
       if (link.interval.cell > last || link.interval.cell + link.interval.cell_count() <= first) continue;
       emitters_.push_back(link.emitter);
       kernels_.resize(kernels_.size() + count_);
-      kernel_at(*input.grid, link, dates, kernels_.data() + kernels_.size() - count_);
+      kernel_at(grid, link, time_samples, kernels_.data() + kernels_.size() - count_);
     }
     first_dynamic_.push_back(static_cast<uint32_t>(emitters_.size()));
   }
 }
 
-// From one node's centre to another's at a date, in the frame of the former.
-Vec3 LinkGather::towards(const Node& from, const Node& to, size_t date) const {
+// From one node's centre to another's at a time sample, in the frame of the former.
+Vec3 LinkGather::towards(const Node& from, const Node& to, size_t time_sample) const {
   if (from.body == to.body) return to.centre - from.centre;
-  const std::vector<Pose>& poses = instants_[date]->world_from_body;
+  const std::vector<Pose>& poses = instants_[time_sample]->world_from_body;
   return rotate_back(poses[from.body], poses[to.body] * to.centre - poses[from.body] * from.centre);
 }
 
-LinkGather::End LinkGather::receiving_end(const Node& p, const Node& q, size_t date) const {
+LinkGather::End LinkGather::receiving_end(const Node& p, const Node& q, size_t time_sample) const {
   if (!p.is_cluster()) return {{p.slot}, {1}, 1};
   End end{{}, {}, 3};
-  if (!(length2(towards(p, q, date)) > 0)) {  // no direction: all sides alike
+  if (!(length2(towards(p, q, time_sample)) > 0)) {  // no direction: all sides alike
     for (uint32_t l = 0; l < kLobes; ++l) end.slot[l] = p.slot + l, end.weight[l] = 1;
     end.count = kLobes;
     return end;
   }
-  const LobeWeights w = lobes_towards(towards(p, q, date), tree_.cluster(p).lobe_share);
+  const LobeWeights w = lobes_towards(towards(p, q, time_sample), tree_.cluster(p).lobe_share);
   for (int l = 0; l < 3; ++l) {
     end.slot[l] = p.slot + static_cast<uint32_t>(w.lobe[l]);
     end.weight[l] = w.weight[l];
@@ -69,8 +70,8 @@ LinkGather::End LinkGather::receiving_end(const Node& p, const Node& q, size_t d
 }
 
 // A cluster's radiance is the mean of its lobes by the area that each shows.
-LinkGather::End LinkGather::emitting_end(const Node& p, const Node& q, size_t date) const {
-  End end = receiving_end(q, p, date);
+LinkGather::End LinkGather::emitting_end(const Node& p, const Node& q, size_t time_sample) const {
+  End end = receiving_end(q, p, time_sample);
   if (!q.is_cluster()) return end;
   float sum = 0;
   for (int l = 0; l < end.count; ++l) {
@@ -85,7 +86,7 @@ void LinkGather::add_still(const Node& p, const Node& q, float kernel, const flo
                            float* irradiance) const {
   const size_t width = 3 * count_;
   const End from = emitting_end(p, q, 0), to = receiving_end(p, q, 0);
-  float carried[3 * kMostDates] = {};
+  float carried[3 * kMostSamples] = {};
   for (int e = 0; e < from.count; ++e) {
     const float* l = radiance + from.slot[e] * width;
     const float w = kernel * from.weight[e];

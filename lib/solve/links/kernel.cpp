@@ -90,7 +90,7 @@ bool any_in_front(const PatchPoints& patch, const Pose& pose, Vec3 origin, Vec3 
 
 }  // namespace
 
-// Sums over the sample points at one date.
+// Sums over the sample points at one time sample.
 struct KernelEvaluator::Means {
   double mean = 0;            // over all points
   double receiver_error = 0;  // rms over control points against what is represented there
@@ -251,8 +251,8 @@ KernelEvaluator::Means KernelEvaluator::sample_clusters(const Node& p, const Nod
     at_point[i] = 0;
     response += points[i].response / point_count;
     if (!(unoccluded > 1e-7)) continue;
-    // Always the same pairs, those of no exchange left out: visibility must not depend on the date but for
-    // what moves.
+    // Always the same pairs, those of no exchange left out: visibility must not depend on the time sample but
+    // for what moves.
     double tested = 0, visible = 0;
     int rays = 0;
     const uint64_t h = hash_of(seed, static_cast<uint64_t>(i));
@@ -318,9 +318,9 @@ bool KernelEvaluator::overlap(uint32_t receiver, uint32_t emitter, Interval inte
   };
   if (p.body == q.body || !(swept_.moves(p.body) || swept_.moves(q.body)))
     return meet(swept_.poses(interval, 0.5));
-  constexpr int kDates = 5;
-  for (int d = 0; d < kDates; ++d)
-    if (meet(swept_.poses(interval, static_cast<double>(d) / (kDates - 1)))) return true;
+  constexpr int kTimes = 5;
+  for (int d = 0; d < kTimes; ++d)
+    if (meet(swept_.poses(interval, static_cast<double>(d) / (kTimes - 1)))) return true;
   return false;
 }
 
@@ -356,18 +356,19 @@ KernelEstimate KernelEvaluator::estimate(uint32_t receiver, uint32_t emitter, In
     e.kernel[k] = static_cast<float>(means.mean);
     worst(means);
   }
-  // Control dates: both ends and, the longer the interval, the more between; none of them is a Gauss date.
-  const int dates = interval.log2_cells >= 4 ? 8 : interval.log2_cells >= 2 ? 6 : 4;
+  // Control time samples: both ends and, the longer the interval, the more between; none of them is a Gauss
+  // time sample.
+  const int times = interval.log2_cells >= 4 ? 8 : interval.log2_cells >= 2 ? 6 : 4;
   double error2 = 0;
-  for (int d = 0; d < dates; ++d) {
-    const double s = static_cast<double>(d) / (dates - 1);
+  for (int d = 0; d < times; ++d) {
+    const double s = static_cast<double>(d) / (times - 1);
     const std::vector<Pose> poses = swept_.poses(interval, s);
     Means means;
     if (can_exchange(p, q, poses)) means = sample(p, q, seed, poses, 5, counts);
     double weights[kMaxOrder], represented = 0;
     lagrange_weights(order, s, weights);
     for (int k = 0; k < order; ++k) represented += weights[k] * e.kernel[k];
-    error2 += (means.mean - represented) * (means.mean - represented) / dates;
+    error2 += (means.mean - represented) * (means.mean - represented) / times;
     worst(means);
   }
   e.time_error = static_cast<float>(std::sqrt(error2));

@@ -1,6 +1,6 @@
 // The kernel of a link: mean irradiance at the receiver from an emitter of unit radiance, visibility
-// included, at quadrature and control points and dates. Either end may be a patch or a cluster; rays run from
-// surface point to surface point, so the shadows that clusters cast on themselves are part of it.
+// included, at quadrature and control points and time samples. Either end may be a patch or a cluster; rays
+// run from surface point to surface point, so the shadows that clusters cast on themselves are part of it.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,14 @@ namespace strad {
 
 // What refinement needs to know of one candidate link on one interval.
 struct KernelEstimate {
-  // Mean over the receiver at the Gauss dates of the interval, in [0, pi].
+  // Mean over the receiver at the Gauss time samples of the interval, in [0, pi].
   float kernel[kMaxOrder] = {0, 0, 0};
-  // Rms over control points of the kernel minus the represented one, largest of all dates.
+  // Rms over control points of the kernel minus the represented one, largest of all time samples.
   float receiver_error = 0;
   // What an emitter whose radiance differs by 1 (rms) over its parts may add to the irradiance; largest of
-  // all dates.
+  // all time samples.
   float emitter_error = 0;
-  float time_error = 0;  // rms over control dates of the mean kernel minus the represented one
+  float time_error = 0;  // rms over control time samples of the mean kernel minus the represented one
   bool dynamic = false;  // the kernel may change on the interval
   bool known = false;    // somebody has looked
 };
@@ -38,8 +38,8 @@ class KernelEvaluator {
 
   KernelEstimate estimate(uint32_t receiver, uint32_t emitter, Interval interval, KernelCounts* counts) const;
 
-  // Do the boxes of two nodes, one of them a cluster, meet at one of the dates of the interval? True for a
-  // cluster and itself. Their exchange is no matter of one direction.
+  // Do the boxes of two nodes, one of them a cluster, meet at one of the time samples of the interval? True
+  // for a cluster and itself. Their exchange is no matter of one direction.
   bool overlap(uint32_t receiver, uint32_t emitter, Interval interval) const;
 
  private:

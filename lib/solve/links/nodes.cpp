@@ -190,7 +190,7 @@ void NodeTree::split_cluster(uint32_t n) {
   nodes_[n].child_count = static_cast<uint32_t>(nodes_.size()) - first_child;
 }
 
-uint32_t NodeTree::light_at(uint32_t polygon, uint32_t side, Vec3 rest_point) const {
+uint32_t NodeTree::leaf_at(uint32_t polygon, uint32_t side, Vec3 rest_point) const {
   const uint32_t face = builder_.mesh().face_of_side[2 * polygon + side];
   if (face == kNone) return kNone;
   uint32_t node = node_of_face_[face];

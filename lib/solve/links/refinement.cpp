@@ -16,10 +16,10 @@ float largest(Rgb a) { return std::max({std::abs(a.r), std::abs(a.g), std::abs(a
 }  // namespace
 
 Refinement::Refinement(const TimeGrid& grid, const KernelEvaluator& kernels, const DirectPhase& direct,
-                       const std::vector<uint32_t>& dates, NodeTree* tree)
-    : grid_(grid), kernels_(kernels), direct_phase_(direct), dates_(dates), tree_(*tree) {
-  for (const uint32_t date : dates_) {
-    const uint32_t cell = date / static_cast<uint32_t>(grid_.order);
+                       const std::vector<uint32_t>& time_samples, NodeTree* tree)
+    : grid_(grid), kernels_(kernels), direct_phase_(direct), probe_samples_(time_samples), tree_(*tree) {
+  for (const uint32_t time_sample : probe_samples_) {
+    const uint32_t cell = time_sample / static_cast<uint32_t>(grid_.order);
     if (cells_.empty() || cells_.back() != cell) cells_.push_back(cell);
   }
   for (const Node& node : tree_.nodes()) total_area_ += 0.5 * node.area;  // both sides are nodes
@@ -27,23 +27,23 @@ Refinement::Refinement(const TimeGrid& grid, const KernelEvaluator& kernels, con
   linked_.assign(tree_.nodes().size(), false);
 }
 
-std::vector<Rgb> Refinement::watched_direct(uint32_t element) const {
+std::vector<Rgb> Refinement::direct_at_probes(uint32_t element) const {
   const auto order = static_cast<uint32_t>(grid_.order);
   const std::vector<Rgb> of_cells = direct_phase_.mean_irradiance(element, cells_);
-  std::vector<Rgb> watched;
+  std::vector<Rgb> probe_samples;
   size_t cell = 0;
-  for (const uint32_t date : dates_) {
-    while (cells_[cell] != date / order) ++cell;
-    watched.push_back(of_cells[cell * order + date % order]);
+  for (const uint32_t time_sample : probe_samples_) {
+    while (cells_[cell] != time_sample / order) ++cell;
+    probe_samples.push_back(of_cells[cell * order + time_sample % order]);
   }
-  return watched;
+  return probe_samples;
 }
 
 void Refinement::describe_new_nodes(size_t first) {
   const std::vector<Node>& nodes = tree_.nodes();
-  direct_.resize(tree_.slot_count() * dates_.size());
-  brightest_.resize(nodes.size() * dates_.size());
-  spread_.resize(nodes.size() * dates_.size());
+  direct_.resize(tree_.slot_count() * probe_samples_.size());
+  brightest_.resize(nodes.size() * probe_samples_.size());
+  spread_.resize(nodes.size() * probe_samples_.size());
   parallel_for(nodes.size() - first, 4, [&](size_t begin, size_t end) {
     for (size_t n = first + begin; n < first + end; ++n)
       nodes[n].is_cluster() ? describe_cluster(static_cast<uint32_t>(n))
@@ -53,12 +53,12 @@ void Refinement::describe_new_nodes(size_t first) {
   for (size_t n = first; n < nodes.size(); ++n) {
     if (nodes[n].parent == kNone) continue;
     const Node& parent = tree_.nodes()[nodes[n].parent];
-    for (size_t i = 0; i < dates_.size(); ++i) {
+    for (size_t i = 0; i < probe_samples_.size(); ++i) {
       float of_parent = 0;
       for (size_t s = 0; s < (parent.is_cluster() ? kLobes : 1u); ++s)
         of_parent = std::max(of_parent, largest(direct(parent.slot + s, i)));
-      brightest_[n * dates_.size() + i] +=
-          std::max(0.0f, brightest_[nodes[n].parent * dates_.size() + i] - of_parent);
+      brightest_[n * probe_samples_.size() + i] +=
+          std::max(0.0f, brightest_[nodes[n].parent * probe_samples_.size() + i] - of_parent);
     }
   }
 }
@@ -66,9 +66,9 @@ void Refinement::describe_new_nodes(size_t first) {
 // Radiance of direct light, and how it varies over the quarters.
 void Refinement::describe_patch(uint32_t n) {
   const Node& node = tree_.nodes()[n];
-  const size_t count = dates_.size();
+  const size_t count = probe_samples_.size();
   const Rgb brdf = static_cast<float>(1 / kPi) * node.reflectance;
-  const std::vector<Rgb> own = watched_direct(node.element);
+  const std::vector<Rgb> own = direct_at_probes(node.element);
   for (size_t i = 0; i < count; ++i) {
     direct_[node.slot * count + i] = brdf * own[i];
     brightest_[n * count + i] = largest(direct_[node.slot * count + i]);
@@ -76,7 +76,7 @@ void Refinement::describe_patch(uint32_t n) {
   const uint32_t first = tree_.builder().mesh().elements[node.element].first_child;
   if (first == kNone) return;
   for (uint32_t c = 0; c < 4; ++c) {
-    const std::vector<Rgb> quarter = watched_direct(first + c);
+    const std::vector<Rgb> quarter = direct_at_probes(first + c);
     for (size_t i = 0; i < count; ++i) {
       const float d = largest(brdf * (quarter[i] - own[i]));
       spread_[n * count + i] += d * d / 4;
@@ -88,13 +88,13 @@ void Refinement::describe_patch(uint32_t n) {
 void Refinement::describe_cluster(uint32_t n) {
   const Node& node = tree_.nodes()[n];
   const Cluster& cluster = tree_.cluster(node);
-  const size_t count = dates_.size();
-  std::vector<Rgb> faces;  // [face][date]
+  const size_t count = probe_samples_.size();
+  std::vector<Rgb> faces;  // [face][time sample]
   for (uint32_t i = cluster.first_face; i < cluster.first_face + cluster.face_count; ++i) {
     const Face& face = tree_.builder().mesh().faces[tree_.cluster_faces()[i]];
     const Rgb reflectance =
         tree_.scene().materials[tree_.scene().polygons[face.polygon].material].reflectance;
-    for (const Rgb& e : watched_direct(face.element))
+    for (const Rgb& e : direct_at_probes(face.element))
       faces.push_back(static_cast<float>(1 / kPi) * (reflectance * e));
   }
   const auto for_faces = [&](const auto& visit) {
@@ -137,7 +137,7 @@ void Refinement::update_radiance(size_t first, size_t count, const std::vector<R
       float most = 0;
       for (size_t s = 0; s < (node.is_cluster() ? kLobes : 1u); ++s)
         most = std::max(most, max_channel(radiance[(node.slot + s) * count + d]));
-      brightest_[n * dates_.size() + first + d] = most;
+      brightest_[n * probe_samples_.size() + first + d] = most;
     }
   }
 }
@@ -145,11 +145,11 @@ void Refinement::update_radiance(size_t first, size_t count, const std::vector<R
 Refinement::Brightness Refinement::brightness(const Link& link) const {
   Brightness b;
   const auto order = static_cast<uint32_t>(grid_.order);
-  for (size_t i = 0; i < dates_.size(); ++i) {
-    const uint32_t cell = dates_[i] / order;
+  for (size_t i = 0; i < probe_samples_.size(); ++i) {
+    const uint32_t cell = probe_samples_[i] / order;
     if (cell < link.interval.cell || cell >= link.interval.cell + link.interval.cell_count()) continue;
-    b.radiance = std::max(b.radiance, brightest_[link.emitter * dates_.size() + i]);
-    b.spread = std::max(b.spread, spread_[link.emitter * dates_.size() + i]);
+    b.radiance = std::max(b.radiance, brightest_[link.emitter * probe_samples_.size() + i]);
+    b.spread = std::max(b.spread, spread_[link.emitter * probe_samples_.size() + i]);
   }
   return b;
 }
@@ -162,14 +162,14 @@ double Refinement::scale_of(const Node& receiver) const {
 bool Refinement::can_split(const Node& node, const RefinementOptions& options) const {
   return node.is_cluster()
              ? node.radius > options.smallest_radius
-             : node.radius > options.smallest_radius && node.face >= tree_.builder().whole_faces();
+             : node.radius > options.smallest_radius && node.face >= tree_.builder().undivided_faces();
 }
 
 // What can be told of a link before a single ray.
 Refinement::Action Refinement::decide_unseen(const Link& link, const RefinementOptions& options) const {
   const Node &p = tree_.nodes()[link.receiver], &q = tree_.nodes()[link.emitter];
   if (!p.is_cluster() && !q.is_cluster() && p.face == q.face) return Action::kDrop;  // they lie in one plane
-  // Dark at some dates is not enough: the sums of kernels must not depend on what is lit.
+  // Dark at some time samples is not enough: the sums of kernels must not depend on what is lit.
   if (!is_lit(link.emitter)) return Action::kWait;
   // Where boxes meet the whole view may be filled, and from anywhere.
   if (brightness(link).radiance * 0.5 * kPi * scale_of(p) <= options.threshold) return Action::kUnknown;
@@ -234,8 +234,9 @@ std::vector<Link> Refinement::children_of(const Link& link, Action action) {
 }
 
 bool Refinement::is_lit(uint32_t node) const {
-  const auto begin = brightest_.begin() + static_cast<ptrdiff_t>(node * dates_.size());
-  return std::any_of(begin, begin + static_cast<ptrdiff_t>(dates_.size()), [](float l) { return l > 0; });
+  const auto begin = brightest_.begin() + static_cast<ptrdiff_t>(node * probe_samples_.size());
+  return std::any_of(begin, begin + static_cast<ptrdiff_t>(probe_samples_.size()),
+                     [](float l) { return l > 0; });
 }
 
 void Refinement::refine(const RefinementOptions& options) {

@@ -7,8 +7,8 @@
 
 #include "solve/direct/direct_phase.h"
 #include "solve/links/kernel.h"
+#include "solve/links/link_table.h"
 #include "solve/links/nodes.h"
-#include "solve/links/transport.h"
 
 namespace strad {
 
@@ -24,20 +24,22 @@ struct RefinementCounts {
 
 class Refinement {
  public:
-  // Keeps references. `dates`: nodes of the grid at which radiance is watched, ascending.
+  // Keeps references. `time samples`: time samples at which radiance is probe, ascending.
   Refinement(const TimeGrid& grid, const KernelEvaluator& kernels, const DirectPhase& direct,
-             const std::vector<uint32_t>& dates, NodeTree* tree);
+             const std::vector<uint32_t>& time_samples, NodeTree* tree);
 
   // Refines all links until the oracle is content. Call again with a lower threshold or after
   // `update_radiance`.
   void refine(const RefinementOptions& options);
 
-  // Takes the radiance that `propagate` has found for the watched dates first .. first + count - 1.
+  // Takes the radiance that `propagate` has found for the probe time samples first .. first + count - 1.
   void update_radiance(size_t first, size_t count, const std::vector<Rgb>& radiance);
 
   const std::vector<Link>& links() const { return links_; }
-  // Radiance that a slot reflects of direct light at a watched date.
-  Rgb direct(size_t slot, size_t date) const { return direct_[slot * dates_.size() + date]; }
+  // Radiance that a slot reflects of direct light at a probe time sample.
+  Rgb direct(size_t slot, size_t time_sample) const {
+    return direct_[slot * probe_samples_.size() + time_sample];
+  }
   const RefinementCounts& counts() const { return counts_; }
 
  private:
@@ -58,21 +60,21 @@ class Refinement {
   void describe_patch(uint32_t node);
   void describe_cluster(uint32_t node);
   std::vector<Link> children_of(const Link& link, Action action);
-  std::vector<Rgb> watched_direct(uint32_t element) const;
+  std::vector<Rgb> direct_at_probes(uint32_t element) const;
 
   const TimeGrid& grid_;
   const KernelEvaluator& kernels_;
   const DirectPhase& direct_phase_;
-  std::vector<uint32_t> dates_;
-  std::vector<uint32_t> cells_;  // of the dates, each once
+  std::vector<uint32_t> probe_samples_;
+  std::vector<uint32_t> cells_;  // of the time samples, each once
   NodeTree& tree_;
   double total_area_ = 0;
   std::vector<Link> links_;
   std::vector<Link> waiting_;     // whose emitter is dark as far as is known
   std::vector<bool> linked_;      // roots that already emit along links
-  std::vector<Rgb> direct_;       // [slot][watched date]: radiance reflected of direct light
-  std::vector<float> brightest_;  // [node][watched date]: radiance, all light, the brightest lobe's
-  std::vector<float> spread_;     // [node][watched date]: rms difference of its parts' radiance
+  std::vector<Rgb> direct_;       // [slot][probe time sample]: radiance reflected of direct light
+  std::vector<float> brightest_;  // [node][probe time sample]: radiance, all light, the brightest lobe's
+  std::vector<float> spread_;     // [node][probe time sample]: rms difference of its parts' radiance
   RefinementCounts counts_;
 };
 

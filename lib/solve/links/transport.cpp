@@ -64,7 +64,7 @@ std::vector<float> scales_of(const TransportInput& input, const LinkGather& gath
   constexpr float kHighest = 1.6f;
   const NodeTree& tree = *input.tree;
   std::vector<float> scales(tree.slot_count() * count, 1.0f);
-  if (!input.openness) return scales;
+  if (!input.form_factor_sums) return scales;
   const size_t width = 3 * count;
   const std::vector<float> unit(tree.slot_count() * width, 1.0f);
   std::vector<float> sums(tree.slot_count() * width, 0.0f);
@@ -80,7 +80,7 @@ std::vector<float> scales_of(const TransportInput& input, const LinkGather& gath
       for (size_t s = 0; s < slots_of(node); ++s)
         mean += sum_of(s) * (node.is_cluster() ? tree.cluster(node).lobe_share[s] : 1.0f);
       if (!(mean > 0)) continue;
-      const float scale = std::min(all * (*input.openness)[n] / mean, kHighest);
+      const float scale = std::min(all * (*input.form_factor_sums)[n] / mean, kHighest);
       for (size_t s = 0; s < slots_of(node); ++s)
         scales[(node.slot + s) * count + j] = scale * sum_of(s) > all ? all / sum_of(s) : scale;
     }
@@ -89,30 +89,6 @@ std::vector<float> scales_of(const TransportInput& input, const LinkGather& gath
 }
 
 }  // namespace
-
-LinkTable make_link_table(const TimeGrid& grid, uint32_t node_count, const std::vector<Link>& links) {
-  LinkTable table;
-  std::vector<uint32_t> order(links.size());
-  for (uint32_t i = 0; i < links.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](uint32_t a, uint32_t b) { return links[a].receiver < links[b].receiver; });
-  size_t next = 0;
-  const uint32_t whole = grid.cell_count();
-  for (uint32_t p = 0; p < node_count; ++p) {
-    for (; next < order.size() && links[order[next]].receiver == p; ++next) {
-      const Link& link = links[order[next]];
-      const float* k = link.estimate.kernel;
-      if (!link.estimate.dynamic && link.interval.cell_count() == whole) {
-        if (k[0] > 0) table.still.push_back({link.emitter, k[0]});
-      } else if (k[0] != 0 || k[1] != 0 || k[2] != 0) {
-        table.dynamic.push_back({link.emitter, link.interval, {k[0], k[1], k[2]}});
-      }
-    }
-    table.first_still.push_back(static_cast<uint32_t>(table.still.size()));
-    table.first_dynamic.push_back(static_cast<uint32_t>(table.dynamic.size()));
-  }
-  return table;
-}
 
 std::vector<ClusterReflection> reflections_of(const NodeTree& tree) {
   std::vector<ClusterReflection> all(tree.cluster_count());
@@ -140,10 +116,11 @@ std::vector<ClusterReflection> reflections_of(const NodeTree& tree) {
   return all;
 }
 
-NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& dates, uint32_t first_column) {
+NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& time_samples,
+                    uint32_t first_column) {
   const NodeTree& tree = *input.tree;
-  const size_t count = dates.size(), width = 3 * count;
-  const LinkGather gather(input, dates);
+  const size_t count = time_samples.size(), width = 3 * count;
+  const LinkGather gather(*input.grid, *input.tree, *input.links, *input.instants, time_samples);
   const std::vector<float> scales = scales_of(input, gather, count);
   NodeLight light;
   light.radiance.assign(tree.slot_count() * count, {});
@@ -199,8 +176,9 @@ NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& da
   return light;
 }
 
-std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& dates) {
-  return scales_of(input, LinkGather(input, dates), dates.size());
+std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& time_samples) {
+  return scales_of(input, LinkGather(*input.grid, *input.tree, *input.links, *input.instants, time_samples),
+                   time_samples.size());
 }
 
 }  // namespace strad

@@ -1,8 +1,8 @@
-// Propagation of light along links: gather, push and pull, a block of dates at a time.
+// Propagation of light along links: gather, push and pull, a block of time samples at a time.
 //
-// Light transport couples no two dates, so a block of dates is iterated to the end on its own: its working
-// set stays in cache, blocks are shared among threads, and memory does not grow with the length of the
-// animation.
+// Light transport couples no two time samples, so a block of time samples is iterated to the end on its own:
+// its working set stays in cache, blocks are shared among threads, and memory does not grow with the length
+// of the animation.
 //
 // A patch has one function of time, a cluster one for each lobe (lobes.h): the mean radiance of its surfaces
 // that face there, or their mean irradiance. What a link costs does not depend on how many surfaces its ends
@@ -15,35 +15,11 @@
 
 #include "base/rgb.h"
 #include "light/direct.h"
-#include "solve/links/kernel.h"
+#include "solve/links/link_table.h"
 #include "solve/links/nodes.h"
 #include "time/time_grid.h"
 
 namespace strad {
-
-// Adds kernel(t) * L_emitter(t) to the irradiance of the receiver on its interval.
-struct Link {
-  uint32_t receiver = 0, emitter = 0;
-  Interval interval;
-  KernelEstimate estimate;
-};
-
-// The links in the order in which a gather wants them.
-struct LinkTable {
-  struct Still {
-    uint32_t emitter;
-    float kernel;
-  };
-  struct Dynamic {
-    uint32_t emitter;
-    Interval interval;
-    float kernel[kMaxOrder];
-  };
-  std::vector<uint32_t> first_still{0}, first_dynamic{0};  // nodes + 1
-  std::vector<Still> still;
-  std::vector<Dynamic> dynamic;
-};
-LinkTable make_link_table(const TimeGrid& grid, uint32_t node_count, const std::vector<Link>& links);
 
 // How a leaf cluster turns irradiance from each lobe into radiance towards each.
 struct ClusterReflection {
@@ -56,18 +32,19 @@ struct TransportInput {
   const TimeGrid* grid = nullptr;
   const NodeTree* tree = nullptr;
   const LinkTable* links = nullptr;
-  const std::vector<Instant>* instants = nullptr;  // of the nodes of the grid
+  const std::vector<Instant>* instants = nullptr;  // of the time samples
   // Radiance that a leaf reflects of direct light at a column, by slot, W / (sr m^2).
   std::function<Rgb(size_t slot, size_t column)> direct;
   const std::vector<ClusterReflection>* reflections = nullptr;
   // What the kernels of each leaf should add up to, in units of pi, by node; null: as they are. See
   // balance().
-  const std::vector<float>* openness = nullptr;
+  const std::vector<float>* form_factor_sums = nullptr;
   double residual = 1e-3;  // largest mean change of radiance, relative
   int max_iterations = 100;
 };
 
-// By slot and date, [slot * dates.size() + i]; `irradiance` as the links gave it, balanced, leaves only.
+// By slot and time sample, [slot * time samples.size() + i]; `irradiance` as the links gave it, balanced,
+// leaves only.
 struct NodeLight {
   std::vector<Rgb> radiance;    // W / (sr m^2), reflected, without emission
   std::vector<Rgb> irradiance;  // W / m^2, indirect
@@ -75,16 +52,17 @@ struct NodeLight {
   double residual = 0;
 };
 
-// Solves for the light at `dates` (nodes of the grid, ascending). `first_column`: of the direct light, for
-// the first date; the others follow.
-NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& dates, uint32_t first_column);
+// Solves for the light at `time samples` (time samples, ascending). `first_column`: of the direct light, for
+// the first time sample; the others follow.
+NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& time_samples,
+                    uint32_t first_column);
 
 // Energy balance: what propagate() scales gathered irradiance by, so that the exchange of every leaf adds up
-// to its openness at every date: [slot * dates.size() + i], leaves only.
+// to its form factor sums at every time sample: [slot * time samples.size() + i], leaves only.
 //
 // In a closed scene the form factors of a patch add up to 1. The error of each link is below a threshold but
 // thousands of them err with one sign, so one gather of unit radiance tells by how much to scale. No lobe
 // gets more than a whole view, so that bounces always die away, however coarse the links.
-std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& dates);
+std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& time_samples);
 
 }  // namespace strad

@@ -93,7 +93,7 @@ void MeshBuilder::add_uniform_face(uint32_t polygon, uint32_t side) {
   std::fill_n(mesh_.elements[mesh_.faces[face].element].vertices, p.corner_count(), vertex);
 }
 
-void MeshBuilder::add_whole_face(uint32_t polygon, uint32_t side) {
+void MeshBuilder::add_undivided_face(uint32_t polygon, uint32_t side) {
   const uint32_t face = begin_face(polygon, side), root = mesh_.faces[face].element;
   for (int c = 0; c < scene_.polygons[polygon].corner_count(); ++c) {
     const uint32_t vertex = add_corner(polygon, face, c);
@@ -109,9 +109,9 @@ bool MeshBuilder::continues(uint32_t polygon, uint32_t other) const {
 
 std::vector<std::vector<uint32_t>> MeshBuilder::curved_neighbours() const {
   std::unordered_map<uint64_t, uint32_t> waiting;  // of a side's edge, the first face; only looked up
-  std::vector<std::vector<uint32_t>> neighbours(whole_faces_);
+  std::vector<std::vector<uint32_t>> neighbours(undivided_faces_);
   const auto is_uniform_face = [&](uint32_t f) { return is_uniform(mesh_.elements[mesh_.faces[f].element]); };
-  for (uint32_t f = 0; f < whole_faces_ && is_uniform_face(f); ++f) {
+  for (uint32_t f = 0; f < undivided_faces_ && is_uniform_face(f); ++f) {
     const auto& [polygon, side, root] = mesh_.faces[f];
     const Polygon& p = scene_.polygons[polygon];
     for (int c = 0; c < p.corner_count(); ++c) {
@@ -123,7 +123,7 @@ std::vector<std::vector<uint32_t>> MeshBuilder::curved_neighbours() const {
       neighbours[it->second].push_back(f);
     }
   }
-  for (uint32_t f = 0; f < whole_faces_; ++f) {
+  for (uint32_t f = 0; f < undivided_faces_; ++f) {
     const Polygon& polygon = scene_.polygons[mesh_.faces[f].polygon];
     if (neighbours[f].size() != static_cast<size_t>(polygon.corner_count())) neighbours[f].clear();
   }
@@ -133,7 +133,7 @@ std::vector<std::vector<uint32_t>> MeshBuilder::curved_neighbours() const {
 // Polygons smaller than `small` that continue across half of their edges or more with little of a bend.
 std::vector<bool> MeshBuilder::curved_polygons(double small) const {
   std::unordered_map<uint64_t, uint32_t> first_user;  // of an edge; looked up only, never iterated
-  std::vector<int> bends(scene_.polygons.size(), 0);
+  std::vector<int> differences(scene_.polygons.size(), 0);
   for (uint32_t i = 0; i < scene_.polygons.size(); ++i) {
     const Polygon& p = scene_.polygons[i];
     if (!(longest_edge(scene_, p) < small)) continue;
@@ -142,11 +142,12 @@ std::vector<bool> MeshBuilder::curved_polygons(double small) const {
                      b = position_of_vertex_[p.corners[(c + 1) % p.corner_count()]];
       const auto [it, added] = first_user.try_emplace(edge_key(a, b), i);
       if (added || !continues(i, it->second)) continue;
-      ++bends[i], ++bends[it->second];
+      ++differences[i], ++differences[it->second];
     }
   }
-  std::vector<bool> curved(bends.size());
-  for (uint32_t i = 0; i < bends.size(); ++i) curved[i] = 2 * bends[i] >= scene_.polygons[i].corner_count();
+  std::vector<bool> curved(differences.size());
+  for (uint32_t i = 0; i < differences.size(); ++i)
+    curved[i] = 2 * differences[i] >= scene_.polygons[i].corner_count();
   return curved;
 }
 
@@ -189,13 +190,13 @@ void MeshBuilder::add_faces(const std::vector<bool>& reached, double small) {
     }
   }
   for (const uint32_t s : uniform) add_uniform_face(s / 2, s % 2);
-  for (const uint32_t s : whole) add_whole_face(s / 2, s % 2);
-  whole_faces_ = static_cast<uint32_t>(mesh_.faces.size());
-  whole_vertices_ = static_cast<uint32_t>(mesh_.vertices.size());
+  for (const uint32_t s : whole) add_undivided_face(s / 2, s % 2);
+  undivided_faces_ = static_cast<uint32_t>(mesh_.faces.size());
+  undivided_vertices_ = static_cast<uint32_t>(mesh_.vertices.size());
   for (const uint32_t s : others) add_face(s / 2, s % 2);
 }
 
-double MeshBuilder::prominence(uint32_t face) const {
+double MeshBuilder::accuracy_share(uint32_t face) const {
   return std::clamp(longest_edge(scene_, scene_.polygons[mesh_.faces[face].polygon]) / large_, 0.2, 1.0);
 }
 

@@ -24,13 +24,13 @@ class MeshBuilder {
   // neighbours in their plane, are as large faces.
   void add_faces(const std::vector<bool>& reached, double small);
   // Faces below this are whole, and vertices below that are theirs, in the same order.
-  uint32_t whole_faces() const { return whole_faces_; }
-  uint32_t whole_vertices() const { return whole_vertices_; }
+  uint32_t undivided_faces() const { return undivided_faces_; }
+  uint32_t undivided_vertices() const { return undivided_vertices_; }
   // By uniform face: those across each of its edges that continue it with little of a bend; none where any of
   // them is missing.
   std::vector<std::vector<uint32_t>> curved_neighbours() const;
   // How much of an error a face shows, by its longest edge: 1/5 (small ones, which may be less exact) to 1.
-  double prominence(uint32_t face) const;
+  double accuracy_share(uint32_t face) const;
   // Makes the four children of a leaf; their new vertices go to the end of the list.
   void split(uint32_t element);
 
@@ -65,7 +65,7 @@ class MeshBuilder {
   uint32_t begin_face(uint32_t polygon, uint32_t side);
   uint32_t add_face(uint32_t polygon, uint32_t side);
   void add_uniform_face(uint32_t polygon, uint32_t side);
-  void add_whole_face(uint32_t polygon, uint32_t side);
+  void add_undivided_face(uint32_t polygon, uint32_t side);
   uint32_t corner_vertex(uint32_t polygon, uint32_t side, int corner);
   uint32_t add_corner(uint32_t polygon, uint32_t face, int corner);
   std::vector<bool> curved_polygons(double small) const;
@@ -79,7 +79,7 @@ class MeshBuilder {
   const Scene& scene_;
   Mesh mesh_;
   double large_ = 0;  // m
-  uint32_t whole_faces_ = 0, whole_vertices_ = 0;
+  uint32_t undivided_faces_ = 0, undivided_vertices_ = 0;
   std::vector<uint32_t> face_of_element_, parent_of_element_, face_of_vertex_;
   std::vector<Vec3> sample_points_;
   std::unordered_map<uint64_t, uint32_t> middle_of_edge_;  // looked up only, never iterated

@@ -34,14 +34,15 @@ std::vector<std::vector<uint32_t>> independent_classes(const std::vector<std::ve
 }
 
 // What a vertex differs from the mean of a pair.
-std::vector<Rgb> bend_of(const std::vector<Rgb>& own, const TightFunction& a, const TightFunction& b) {
-  std::vector<Rgb> bend(own.size());
-  for (size_t d = 0; d < own.size(); ++d) bend[d] = 0.5f * (a[d] + b[d]) - own[d];
-  return bend;
+std::vector<Rgb> difference_of(const std::vector<Rgb>& own, const CoarseFunction& a,
+                               const CoarseFunction& b) {
+  std::vector<Rgb> difference(own.size());
+  for (size_t d = 0; d < own.size(); ++d) difference[d] = 0.5f * (a[d] + b[d]) - own[d];
+  return difference;
 }
 
-double usual_bend(const std::vector<std::vector<NeighbourPair>>& pairs,
-                  const std::function<TightFunction&(uint32_t vertex)>& function) {
+double usual_difference(const std::vector<std::vector<NeighbourPair>>& pairs,
+                        const std::function<CoarseFunction&(uint32_t vertex)>& function) {
   std::vector<size_t> first{0};
   for (const auto& own : pairs) first.push_back(first.back() + own.size());
   std::vector<double> sizes(first.back());
@@ -51,10 +52,10 @@ double usual_bend(const std::vector<std::vector<NeighbourPair>>& pairs,
       const std::vector<Rgb> own = function(static_cast<uint32_t>(v)).unpacked();
       for (size_t i = 0; i < pairs[v].size(); ++i)
         sizes[first[v] + i] =
-            relative_rms(bend_of(own, function(pairs[v][i].a), function(pairs[v][i].b)), own);
+            relative_rms(difference_of(own, function(pairs[v][i].a), function(pairs[v][i].b)), own);
     }
   });
-  return middle_of(&sizes);
+  return median_of(&sizes);
 }
 
 }  // namespace
@@ -88,10 +89,10 @@ std::vector<std::vector<NeighbourPair>> opposite_neighbours(const Mesh& mesh,
 }
 
 void smooth(const std::vector<std::vector<NeighbourPair>>& pairs,
-            const std::function<TightFunction&(uint32_t vertex)>& function) {
+            const std::function<CoarseFunction&(uint32_t vertex)>& function) {
   const std::vector<std::vector<uint32_t>> classes = independent_classes(pairs);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    const double usual = usual_bend(pairs, function);
+    const double usual = usual_difference(pairs, function);
     for (const std::vector<uint32_t>& vertices : classes) {
       parallel_for(vertices.size(), 16, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
@@ -100,11 +101,11 @@ void smooth(const std::vector<std::vector<NeighbourPair>>& pairs,
           std::vector<Rgb> result = own;
           const float share = 0.5f / static_cast<float>(std::max<size_t>(2, own_pairs.size()));
           for (const NeighbourPair& pair : own_pairs) {
-            const std::vector<Rgb> bend = bend_of(own, function(pair.a), function(pair.b));
-            const float part = share * share_of_noise(relative_rms(bend, own), usual);
-            for (size_t d = 0; d < own.size(); ++d) result[d] += part * bend[d];
+            const std::vector<Rgb> difference = difference_of(own, function(pair.a), function(pair.b));
+            const float part = share * share_of_noise(relative_rms(difference, own), usual);
+            for (size_t d = 0; d < own.size(); ++d) result[d] += part * difference[d];
           }
-          function(vertices[i]) = TightFunction(result);
+          function(vertices[i]) = CoarseFunction(result);
         }
       });
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solution/mesh.h"
-#include "time/packed_function.h"
+#include "time/scaled_function.h"
 
 namespace strad {
 
@@ -22,9 +22,9 @@ std::vector<std::vector<NeighbourPair>> opposite_neighbours(const Mesh& mesh,
                                                             double farthest);
 
 // Moves each function with pairs half way towards their mean, kSweeps times, where it differs from that by no
-// more than noise would over all dates. `function(v)`: to be changed in place. The result does not depend on
-// threads.
+// more than noise would over all time samples. `function(v)`: to be changed in place. The result does not
+// depend on threads.
 void smooth(const std::vector<std::vector<NeighbourPair>>& pairs,
-            const std::function<TightFunction&(uint32_t vertex)>& function);
+            const std::function<CoarseFunction&(uint32_t vertex)>& function);
 
 }  // namespace strad

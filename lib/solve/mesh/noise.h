@@ -12,7 +12,7 @@ namespace strad {
 
 constexpr int kSweeps = 2;  // each takes out about half
 
-// Rms of `difference` over all dates in terms of that of `own`.
+// Rms of `difference` over all time samples in terms of that of `own`.
 inline double relative_rms(const std::vector<Rgb>& difference, const std::vector<Rgb>& own) {
   const auto sum_of_squares = [](const std::vector<Rgb>& values) {
     double sum = 0;
@@ -24,7 +24,7 @@ inline double relative_rms(const std::vector<Rgb>& difference, const std::vector
 }
 
 // The median, 0 of none. Changes the order.
-inline double middle_of(std::vector<double>* values) {
+inline double median_of(std::vector<double>* values) {
   if (values->empty()) return 0;
   const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
   std::nth_element(values->begin(), middle, values->end());

@@ -30,15 +30,15 @@ double expected_mean_radiance(const Scene& scene, const std::vector<Instant>& in
   if (!(area > 0) || instants.empty()) return 0;
   double power = 0;
   const size_t stride = std::max<size_t>(1, instants.size() / 16);
-  int dates = 0;
-  for (size_t i = 0; i < instants.size(); i += stride, ++dates) {
+  int instant_count = 0;
+  for (size_t i = 0; i < instants.size(); i += stride, ++instant_count) {
     for (size_t s = 0; s < scene.spots.size(); ++s)
       power += beam_solid_angle(scene.spots[s]) * mean_channel(instants[i].spots[s].intensity);
     for (size_t m = 0; m < scene.materials.size(); ++m)
       power += kPi * emitting_area[m] * instants[i].glow[m] * mean_channel(scene.materials[m].emission);
   }
   const double rho = std::min(reflected / area, 0.9);
-  return rho / kPi * power / dates / area / (1 - rho);
+  return rho / kPi * power / instant_count / area / (1 - rho);
 }
 
 }  // namespace strad

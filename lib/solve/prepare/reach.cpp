@@ -17,7 +17,7 @@ namespace {
 
 constexpr uint32_t kWalks = 16384;
 constexpr int kBounces = 8;
-constexpr uint32_t kDates = 64;
+constexpr uint32_t kTimes = 64;
 // A surface with fewer hits than one in a hundred of those expected is dark; it takes 20 expected ones to
 // tell.
 constexpr double kDarkShare = 0.01, kEnough = 20;
@@ -150,15 +150,15 @@ std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const 
   for (uint32_t p = 0; p < scene.polygons.size(); ++p)
     if (emits(scene, scene.polygons[p])) emitters.push_back(p);
   std::vector<Instant> instants;
-  const uint32_t dates = std::min(kDates, grid.node_count());
-  for (uint32_t d = 0; d < dates; ++d)
+  const uint32_t times = std::min(kTimes, grid.sample_count());
+  for (uint32_t d = 0; d < times; ++d)
     instants.push_back(
-        instant_at(scene, node_time(grid, static_cast<uint32_t>((d + 0.5) * grid.node_count() / dates))));
+        instant_at(scene, sample_time(grid, static_cast<uint32_t>((d + 0.5) * grid.sample_count() / times))));
 
   std::vector<uint32_t> met(size_t{kWalks} * kBounces, kNone);  // side, of each bounce of each walk
   parallel_for(kWalks, 256, [&](size_t begin, size_t end) {
     for (size_t w = begin; w < end; ++w) {
-      const Instant& instant = instants[w % dates];
+      const Instant& instant = instants[w % times];
       const std::optional<Start> start = start_of(scene, tracer, instant, emitters, static_cast<uint32_t>(w));
       if (!start) return;
       Vec3 from = start->position, towards = start->direction;

@@ -1,4 +1,4 @@
-// Where bodies can be during an interval, and poses at its dates.
+// Where bodies can be during an interval, and poses at its time samples.
 #pragma once
 
 #include <vector>

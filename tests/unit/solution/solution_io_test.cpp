@@ -53,8 +53,8 @@ Field moving_light(const TimeGrid& grid, size_t rows, float scale, uint64_t seed
   for (size_t row = 0; row < rows; ++row) {
     const double phase = 6 * unit_from(hash_of(seed, row)), speed = 1 + 20.0 * (row % 7 == 0);
     std::vector<Rgb> values;
-    for (uint32_t node = 0; node < grid.node_count(); ++node) {
-      const auto light = static_cast<float>(1 + std::sin(phase + speed * node_time(grid, node)));
+    for (uint32_t node = 0; node < grid.sample_count(); ++node) {
+      const auto light = static_cast<float>(1 + std::sin(phase + speed * sample_time(grid, node)));
       values.push_back(scale * Rgb{light, 0.75f * light, 0.5f * light * light});
     }
     append_row(grid, values, {}, row % 5 == 4 ? 100 * scale : 0.01f * scale, &field);

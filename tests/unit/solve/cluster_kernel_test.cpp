@@ -172,8 +172,8 @@ TEST(ClusterKernel, WhatPassesBetweenIsDynamic) {
   EXPECT_GT(bench.estimate(0, 1, bench.always()).time_error, 0);
   EXPECT_FALSE(bench.estimate(0, 1, {0, 2}).dynamic);
   EXPECT_GT(bench.estimate(0, 1, {0, 2}).kernel[0], 0);
-  const KernelEstimate covered = bench.estimate(0, 1, {32, 0});  // the plate is at y = -0.5 .. 1.5
-  EXPECT_LT(covered.kernel[0], 0.1f * bench.estimate(0, 1, {0, 2}).kernel[0]);
+  const KernelEstimate blocked = bench.estimate(0, 1, {32, 0});  // the plate is at y = -0.5 .. 1.5
+  EXPECT_LT(blocked.kernel[0], 0.1f * bench.estimate(0, 1, {0, 2}).kernel[0]);
 }
 
 TEST(ClusterKernel, AWallBetweenCutsItOff) {

@@ -99,7 +99,7 @@ struct AllLit : Refined {
   std::vector<uint32_t> leaves;
 };
 
-// Pairs of leaves far apart and near by, at any date.
+// Pairs of leaves far apart and near by, at any time sample.
 TEST(ClusterRefinement, EveryExchangeIsLinkedOnceAtATime) {
   const AllLit refined;
   const Workbench& bench = refined.bench;

@@ -109,7 +109,7 @@ TEST(ClusterTransport, ALeafClusterReflectsAsItsSurfacesDo) {
   EXPECT_EQ(a.b, 0);
 }
 
-// A cluster that turns: its lit side is that which faces the light at each date, in its own frame.
+// A cluster that turns: its lit side is that which faces the light at each time sample, in its own frame.
 TEST(ClusterTransport, ATurningClusterIsLitFromWhereTheLightIs) {
   Scene scene;
   scene.end = 1;
@@ -120,16 +120,18 @@ TEST(ClusterTransport, ATurningClusterIsLitFromWhereTheLightIs) {
   Transport transport(bench, {link_of(1, square, bench.always(), {1, 1})});
   const size_t lit = bench.node(square).slot;
   const NodeLight light = transport.solve([&](size_t slot) { return slot == lit ? Rgb{1, 1, 1} : Rgb{}; });
-  for (uint32_t date = 0; date < bench.grid.node_count(); ++date) {
+  for (uint32_t time_sample = 0; time_sample < bench.grid.sample_count(); ++time_sample) {
     // In the box's frame the square goes from +x by -y (the box turns the other way) to -x; each side of six
     // gets its cosine's share.
-    const double angle = kPi * node_time(bench.grid, date), all = std::abs(std::cos(angle)) + std::sin(angle);
+    const double angle = kPi * sample_time(bench.grid, time_sample),
+                 all = std::abs(std::cos(angle)) + std::sin(angle);
     const double east = 6 * std::max(0.0, std::cos(angle)) / all,
                  west = 6 * std::max(0.0, -std::cos(angle)) / all;
-    EXPECT_NEAR(transport.irradiance(light, 1, date, 0).r, east, 1e-3) << date;
-    EXPECT_NEAR(transport.irradiance(light, 1, date, 1).r, west, 1e-3) << date;
-    EXPECT_NEAR(transport.irradiance(light, 1, date, 3).r, 6 * std::sin(angle) / all, 1e-3) << date;
-    EXPECT_EQ(transport.irradiance(light, 1, date, 2).r, 0) << date;
+    EXPECT_NEAR(transport.irradiance(light, 1, time_sample, 0).r, east, 1e-3) << time_sample;
+    EXPECT_NEAR(transport.irradiance(light, 1, time_sample, 1).r, west, 1e-3) << time_sample;
+    EXPECT_NEAR(transport.irradiance(light, 1, time_sample, 3).r, 6 * std::sin(angle) / all, 1e-3)
+        << time_sample;
+    EXPECT_EQ(transport.irradiance(light, 1, time_sample, 2).r, 0) << time_sample;
   }
 }
 
@@ -161,7 +163,7 @@ TEST(ClusterTransport, BouncesDieAwayHoweverCoarseTheLinks) {
   const Workbench bench(scene, 1, 1, Roots::kClusters);
   Transport transport(bench, {link_of(0, 1, bench.always(), {3.0f}), link_of(1, 0, bench.always(), {3.0f})});
   const std::vector<float> one(bench.nodes->nodes().size(), 1.0f);
-  transport.input.openness = &one;
+  transport.input.form_factor_sums = &one;
   const NodeLight light = transport.solve([](size_t) { return Rgb{1, 1, 1}; });
   EXPECT_LT(light.residual, 1e-6);
   for (const Rgb& l : light.radiance) EXPECT_LE(l.r, 1 / (1 - 0.8) + 1e-3);
@@ -185,8 +187,8 @@ TEST(ClusterTransport, FurnaceWithSmallBoxes) {
   EXPECT_GT(of_clusters, 50u);  // else the test is of patches
   // The sums of kernels, which the furnace makes 1, before any balance.
   const std::vector<float> one(bench.nodes->nodes().size(), 1.0f);
-  transport.input.openness = &one;
-  const std::vector<float> scales = balance(transport.input, transport.dates());
+  transport.input.form_factor_sums = &one;
+  const std::vector<float> scales = balance(transport.input, transport.time_samples());
   double sum = 0, area = 0;
   for (uint32_t n = 0; n < bench.nodes->nodes().size(); ++n) {
     if (!bench.node(n).is_leaf()) continue;

@@ -86,17 +86,17 @@ TEST(Kernel, ChangesWhileSomethingPasses) {
   const KernelEstimate whole = bench.estimate(0, 1, bench.always());
   EXPECT_TRUE(whole.dynamic);
   EXPECT_GT(whole.time_error, 0.05);
-  const KernelEstimate covered = bench.estimate(0, 1, {32, 0});  // from 4 s on: x in -0.5..1.5
-  EXPECT_FALSE(covered.dynamic);                                 // it may change but does not
-  EXPECT_EQ(covered.kernel[0], 0);
-  EXPECT_EQ(covered.kernel[1], 0);
-  EXPECT_EQ(covered.time_error, 0);
+  const KernelEstimate blocked = bench.estimate(0, 1, {32, 0});  // from 4 s on: x in -0.5..1.5
+  EXPECT_FALSE(blocked.dynamic);                                 // it may change but does not
+  EXPECT_EQ(blocked.kernel[0], 0);
+  EXPECT_EQ(blocked.kernel[1], 0);
+  EXPECT_EQ(blocked.time_error, 0);
   const KernelEstimate free = bench.estimate(0, 1, {0, 2});
   EXPECT_FALSE(free.dynamic);
   EXPECT_NEAR(free.kernel[0] / kPi, kParallelUnitSquares, 0.1 * kParallelUnitSquares);
 }
 
-// The ceiling rises from 1 to 3 m: at each Gauss date the kernel is that of the distance.
+// The ceiling rises from 1 to 3 m: at each Gauss time sample the kernel is that of the distance.
 TEST(Kernel, FollowsARisingReceiver) {
   Scene scene = squares(1);
   scene.objects[1].body = add_body(&scene, {0, 0, 2});

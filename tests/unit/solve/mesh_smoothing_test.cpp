@@ -13,16 +13,16 @@
 namespace strad {
 namespace {
 
-constexpr size_t kDates = 12;
+constexpr size_t kTimes = 12;
 
 // A unit square in 16 x 16 elements, and functions at its vertices.
 struct Grid {
   Scene scene;
   Mesh mesh;
   std::vector<uint32_t> leaves;
-  std::vector<TightFunction> functions;
+  std::vector<CoarseFunction> functions;
 
-  explicit Grid(const std::function<double(Vec3 at, uint32_t vertex, size_t date)>& light) {
+  explicit Grid(const std::function<double(Vec3 at, uint32_t vertex, size_t time_sample)>& light) {
     scene.end = 1;
     add_polygon(&scene, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
     MeshBuilder builder(scene);
@@ -39,7 +39,7 @@ struct Grid {
     mesh = builder.take();
     for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
       std::vector<Rgb> values;
-      for (size_t d = 0; d < kDates; ++d) {
+      for (size_t d = 0; d < kTimes; ++d) {
         const auto value = static_cast<float>(light(mesh.vertices[v].position, v, d));
         values.push_back({value, value, value});
       }
@@ -47,20 +47,20 @@ struct Grid {
     }
   }
   void smoothed() {
-    smooth(opposite_neighbours(mesh, leaves, 1), [&](uint32_t v) -> TightFunction& { return functions[v]; });
+    smooth(opposite_neighbours(mesh, leaves, 1), [&](uint32_t v) -> CoarseFunction& { return functions[v]; });
   }
-  // Rms over vertices and dates of what the functions differ from `light`.
-  double error(const std::function<double(Vec3 at, size_t date)>& light) const {
+  // Rms over vertices and time samples of what the functions differ from `light`.
+  double error(const std::function<double(Vec3 at, size_t time_sample)>& light) const {
     double sum = 0;
     for (uint32_t v = 0; v < functions.size(); ++v)
-      for (size_t d = 0; d < kDates; ++d)
+      for (size_t d = 0; d < kTimes; ++d)
         sum += std::pow(functions[v][d].r - light(mesh.vertices[v].position, d), 2);
-    return std::sqrt(sum / static_cast<double>(functions.size() * kDates));
+    return std::sqrt(sum / static_cast<double>(functions.size() * kTimes));
   }
 };
 
-double noise(uint32_t vertex, size_t date) {
-  return unit_from(hash_of(vertex, static_cast<uint64_t>(date))) - 0.5;
+double noise(uint32_t vertex, size_t time_sample) {
+  return unit_from(hash_of(vertex, static_cast<uint64_t>(time_sample))) - 0.5;
 }
 
 TEST(MeshSmoothing, PairsAreOppositeAndAsFar) {
@@ -81,8 +81,10 @@ TEST(MeshSmoothing, PairsAreOppositeAndAsFar) {
 }
 
 TEST(MeshSmoothing, LinearLightStays) {
-  const auto light = [](Vec3 at, size_t date) { return 1 + at.x * static_cast<double>(date) + 0.5 * at.y; };
-  Grid grid([&](Vec3 at, uint32_t, size_t date) { return light(at, date); });
+  const auto light = [](Vec3 at, size_t time_sample) {
+    return 1 + at.x * static_cast<double>(time_sample) + 0.5 * at.y;
+  };
+  Grid grid([&](Vec3 at, uint32_t, size_t time_sample) { return light(at, time_sample); });
   const double before = grid.error(light);  // of what the functions keep
   grid.smoothed();
   EXPECT_LT(grid.error(light), 2 * before + 1e-6);
@@ -90,7 +92,9 @@ TEST(MeshSmoothing, LinearLightStays) {
 
 TEST(MeshSmoothing, NoiseShrinks) {
   const auto light = [](Vec3 at, size_t) { return 2 + at.x; };
-  Grid grid([&](Vec3 at, uint32_t v, size_t date) { return light(at, date) + 0.1 * noise(v, date); });
+  Grid grid([&](Vec3 at, uint32_t v, size_t time_sample) {
+    return light(at, time_sample) + 0.1 * noise(v, time_sample);
+  });
   const double before = grid.error(light);
   grid.smoothed();
   EXPECT_LT(grid.error(light), 0.55 * before);
@@ -98,7 +102,9 @@ TEST(MeshSmoothing, NoiseShrinks) {
 
 TEST(MeshSmoothing, AnEdgeIsNoNoise) {
   const auto light = [](Vec3 at, size_t) { return at.x < 0.5 ? 1.0 : 3.0; };
-  Grid grid([&](Vec3 at, uint32_t v, size_t date) { return light(at, date) + 0.02 * noise(v, date); });
+  Grid grid([&](Vec3 at, uint32_t v, size_t time_sample) {
+    return light(at, time_sample) + 0.02 * noise(v, time_sample);
+  });
   grid.smoothed();
   for (uint32_t v = 0; v < grid.functions.size(); ++v)
     EXPECT_NEAR(grid.functions[v][3].r, light(grid.mesh.vertices[v].position, 3), 0.02) << v;

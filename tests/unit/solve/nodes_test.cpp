@@ -232,10 +232,10 @@ TEST(Nodes, SamplesAreSharedByArea) {
 TEST(Nodes, LightsArePatchesOrFacesOfClusters) {
   Clutter bench;
   const Vec3 at{0.3, 0.3, 0};  // on the floor
-  const auto light = [&] { return bench.nodes->light_at(0, 0, at); };
+  const auto light = [&] { return bench.nodes->leaf_at(0, 0, at); };
   EXPECT_EQ(light(), bench.nodes->nodes().size());  // face 0, in a cluster
-  EXPECT_EQ(bench.nodes->light_at(7, 0, {}), bench.nodes->nodes().size() + 7);
-  EXPECT_EQ(bench.nodes->light_at(0, 1, at), kNone);  // that side has no face
+  EXPECT_EQ(bench.nodes->leaf_at(7, 0, {}), bench.nodes->nodes().size() + 7);
+  EXPECT_EQ(bench.nodes->leaf_at(0, 1, at), kNone);  // that side has no face
   bench.children_of(0);
   const uint32_t floor = bench.nodes->node_of_face(0);
   EXPECT_EQ(light(), floor);
@@ -245,7 +245,7 @@ TEST(Nodes, LightsArePatchesOrFacesOfClusters) {
   EXPECT_NEAR(patch.area, 12.0 / 16, 1e-6);
   EXPECT_NEAR(patch.centre.x, 0.5, 1e-9);  // the quarter of a quarter that holds the point
   EXPECT_NEAR(patch.centre.y, 0.375, 1e-9);
-  EXPECT_EQ(bench.nodes->light_count(), bench.nodes->nodes().size() + bench.builder.mesh().faces.size());
+  EXPECT_EQ(bench.nodes->leaf_count(), bench.nodes->nodes().size() + bench.builder.mesh().faces.size());
 }
 
 }  // namespace

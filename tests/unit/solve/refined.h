@@ -14,7 +14,7 @@ struct Refined {
   Workbench bench;
   std::unique_ptr<DirectPhase> direct;
   std::unique_ptr<Refinement> refinement;
-  std::vector<uint32_t> watched{3, 11, 20, 29};
+  std::vector<uint32_t> probe_samples{3, 11, 20, 29};
 
   Refined(Scene scene, Roots roots, std::initializer_list<double> thresholds, double uniform_below = 0)
       : bench(std::move(scene), 2, 16, roots, uniform_below) {
@@ -25,7 +25,7 @@ struct Refined {
     direct->run();
     bench.plant(roots);
     refinement =
-        std::make_unique<Refinement>(bench.grid, *bench.kernels, *direct, watched, bench.nodes.get());
+        std::make_unique<Refinement>(bench.grid, *bench.kernels, *direct, probe_samples, bench.nodes.get());
     for (const double threshold : thresholds) refine(threshold);
   }
   // `smallest`: m, radius of nodes that are still split.
@@ -34,10 +34,11 @@ struct Refined {
     options.threshold = threshold, options.smallest_radius = smallest;
     refinement->refine(options);
   }
-  // As if all surfaces reflected `radiance` at all dates.
+  // As if all surfaces reflected `radiance` at all time samples.
   void light_all(float radiance) {
-    const std::vector<Rgb> all(bench.nodes->slot_count() * watched.size(), Rgb{radiance, radiance, radiance});
-    refinement->update_radiance(0, watched.size(), all);
+    const std::vector<Rgb> all(bench.nodes->slot_count() * probe_samples.size(),
+                               Rgb{radiance, radiance, radiance});
+    refinement->update_radiance(0, probe_samples.size(), all);
   }
   const std::vector<Link>& links() const { return refinement->links(); }
 };

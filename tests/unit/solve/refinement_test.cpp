@@ -29,13 +29,13 @@ struct RoomRefined : Refined {
 TEST(Refinement, EveryExchangeIsLinkedOnceAtATime) {
   const RoomRefined refined(true, {0.02, 0.005});
   const size_t nodes = refined.bench.nodes->nodes().size(), cells = refined.bench.grid.cell_count();
-  std::vector<uint8_t> covered(nodes * nodes * cells, 0);
+  std::vector<uint8_t> blocked(nodes * nodes * cells, 0);
   uint64_t twice = 0, linked = 0;
   for (const Link& link : refined.links())
     for (const uint32_t p : leaves_below(*refined.bench.nodes, link.receiver))
       for (const uint32_t q : leaves_below(*refined.bench.nodes, link.emitter))
         for (uint32_t c = link.interval.cell; c < link.interval.cell + link.interval.cell_count(); ++c) {
-          twice += covered[(p * nodes + q) * cells + c]++ > 0;
+          twice += blocked[(p * nodes + q) * cells + c]++ > 0;
           ++linked;
         }
   EXPECT_EQ(twice, 0u);

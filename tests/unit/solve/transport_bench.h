@@ -22,7 +22,7 @@ inline Link link_of(uint32_t receiver, uint32_t emitter, Interval interval,
   return link;
 }
 
-// Light along `links` at all dates of a bench.
+// Light along `links` at all time samples of a bench.
 struct Transport {
   const Workbench& bench;
   LinkTable table;
@@ -39,21 +39,21 @@ struct Transport {
   }
   Transport(const Transport&) = delete;
 
-  std::vector<uint32_t> dates() const {
+  std::vector<uint32_t> time_samples() const {
     std::vector<uint32_t> all;
-    for (uint32_t d = 0; d < bench.grid.node_count(); ++d) all.push_back(d);
+    for (uint32_t d = 0; d < bench.grid.sample_count(); ++d) all.push_back(d);
     return all;
   }
   // `direct`: radiance reflected of direct light, by slot.
   NodeLight solve(const std::function<Rgb(size_t slot)>& direct) {
     input.direct = [&](size_t slot, size_t) { return direct(slot); };
-    return propagate(input, dates(), 0);
+    return propagate(input, time_samples(), 0);
   }
-  Rgb radiance(const NodeLight& light, uint32_t node, uint32_t date = 0, uint32_t lobe = 0) const {
-    return light.radiance[(bench.node(node).slot + lobe) * bench.grid.node_count() + date];
+  Rgb radiance(const NodeLight& light, uint32_t node, uint32_t time_sample = 0, uint32_t lobe = 0) const {
+    return light.radiance[(bench.node(node).slot + lobe) * bench.grid.sample_count() + time_sample];
   }
-  Rgb irradiance(const NodeLight& light, uint32_t node, uint32_t date = 0, uint32_t lobe = 0) const {
-    return light.irradiance[(bench.node(node).slot + lobe) * bench.grid.node_count() + date];
+  Rgb irradiance(const NodeLight& light, uint32_t node, uint32_t time_sample = 0, uint32_t lobe = 0) const {
+    return light.irradiance[(bench.node(node).slot + lobe) * bench.grid.sample_count() + time_sample];
   }
   // Mean over the lobes of a cluster.
   Rgb mean_radiance(const NodeLight& light, uint32_t node) const {

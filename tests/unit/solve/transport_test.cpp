@@ -34,14 +34,14 @@ TEST(Transport, TwoSurfacesReflectForever) {
   const float k = 2.5f;
   Transport transport(bench, {link_of(0, 1, bench.always(), {k}), link_of(1, 0, bench.always(), {k})});
   const NodeLight light = solve_lit_first(&transport, {2, 1, 1});
-  const uint32_t dates = bench.grid.node_count();
-  for (const uint32_t date : {0u, dates / 2, dates - 1}) {
-    const Rgb l0 = transport.radiance(light, 0, date), l1 = transport.radiance(light, 1, date);
+  const uint32_t time_samples = bench.grid.sample_count();
+  for (const uint32_t time_sample : {0u, time_samples / 2, time_samples - 1}) {
+    const Rgb l0 = transport.radiance(light, 0, time_sample), l1 = transport.radiance(light, 1, time_sample);
     EXPECT_NEAR(l0.r, first_radiance(0.8, 0.5, k, 2), 1e-5);
     EXPECT_NEAR(l0.g, first_radiance(0.5, 0.5, k, 1), 1e-5);
     EXPECT_EQ(l0.b, 0);
     EXPECT_NEAR(l1.r, 0.5 / kPi * k * l0.r, 1e-5);
-    EXPECT_NEAR(transport.irradiance(light, 1, date).r, k * l0.r, 1e-5);
+    EXPECT_NEAR(transport.irradiance(light, 1, time_sample).r, k * l0.r, 1e-5);
     EXPECT_EQ(l1.b, 0);
   }
   EXPECT_LT(light.residual, 1e-6);
@@ -65,10 +65,10 @@ TEST(Transport, AKernelOfTimeHoldsOnItsInterval) {
                                       {static_cast<float>(kernel(gauss_nodes(2)[0])),
                                        static_cast<float>(kernel(gauss_nodes(2)[1]))})});
   const NodeLight light = solve_lit_first(&transport, {1, 1, 1});
-  for (uint32_t date = 0; date < bench.grid.node_count(); ++date) {
-    const double s = (node_time(bench.grid, date) - 4) / 4;
+  for (uint32_t time_sample = 0; time_sample < bench.grid.sample_count(); ++time_sample) {
+    const double s = (sample_time(bench.grid, time_sample) - 4) / 4;
     const double expected = s < 0 ? 0 : 0.5 / kPi * kernel(s) * 0.8 / kPi;
-    EXPECT_NEAR(transport.radiance(light, 1, date).r, expected, 1e-6) << date;
+    EXPECT_NEAR(transport.radiance(light, 1, time_sample).r, expected, 1e-6) << time_sample;
   }
 }
 
@@ -118,7 +118,7 @@ TEST(Transport, BalanceRestoresTheFurnace) {
   };
   EXPECT_GT(worst(), 0.08);  // else the loss above was none
   const std::vector<float> one(bench.nodes->nodes().size(), 1.0f);
-  transport.input.openness = &one;
+  transport.input.form_factor_sums = &one;
   EXPECT_LT(worst(), 0.01);
 }
 

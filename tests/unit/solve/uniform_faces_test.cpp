@@ -37,7 +37,7 @@ struct Ball {
     add_parts(&scene, {0, 0, 3}, {1, 0, 0}, {0, 1, 0}, kFlat);
     end = static_cast<uint32_t>(scene.polygons.size());
   }
-  Mesh mesh(double below, uint32_t* whole_faces = nullptr) const {
+  Mesh mesh(double below, uint32_t* undivided_faces = nullptr) const {
     MeshBuilder builder(scene);
     std::vector<bool> fronts(2 * scene.polygons.size());
     for (size_t s = 0; s < fronts.size(); s += 2) fronts[s] = true;
@@ -48,9 +48,9 @@ struct Ball {
       builder.split(floor);
       for (uint32_t c = 0; c < 4; ++c) builder.split(builder.mesh().elements[floor].first_child + c);
     }
-    if (whole_faces) {
-      *whole_faces = builder.whole_faces();
-      EXPECT_EQ(builder.whole_vertices(), builder.whole_faces());  // all of them are uniform
+    if (undivided_faces) {
+      *undivided_faces = builder.undivided_faces();
+      EXPECT_EQ(builder.undivided_vertices(), builder.undivided_faces());  // all of them are uniform
     }
     return builder.take();
   }
@@ -112,7 +112,7 @@ TEST(UniformFaces, OfCurvedSurfacesHaveNeighboursAllAround) {
   std::vector<bool> both(2 * ball.scene.polygons.size(), true);
   builder.add_faces(both, 0.2);
   const auto neighbours = builder.curved_neighbours();
-  ASSERT_EQ(neighbours.size(), builder.whole_faces());
+  ASSERT_EQ(neighbours.size(), builder.undivided_faces());
   size_t with = 0;
   for (uint32_t f = 0; f < neighbours.size(); ++f) {
     if (neighbours[f].empty()) continue;
@@ -251,15 +251,15 @@ TEST(WholeFaces, OfBoxesHaveCornersOfTheirOwn) {
   for (size_t s = 0; s < fronts.size(); s += 2) fronts[s] = true;
   builder.add_faces(fronts, 0.2);
   const Mesh& mesh = builder.mesh();
-  EXPECT_EQ(builder.whole_faces(), 12u);
-  EXPECT_EQ(builder.whole_vertices(), 6u + 4 * 6);
+  EXPECT_EQ(builder.undivided_faces(), 12u);
+  EXPECT_EQ(builder.undivided_vertices(), 6u + 4 * 6);
   std::vector<int> users(mesh.vertices.size(), 0);
-  for (uint32_t f = 0; f < builder.whole_faces(); ++f) {
+  for (uint32_t f = 0; f < builder.undivided_faces(); ++f) {
     const Element& root = mesh.elements[mesh.faces[f].element];
     EXPECT_EQ(is_uniform(root), mesh.faces[f].polygon > 6) << f;
     for (int c = 0; c < 4; ++c) ++users[root.vertices[c]];
   }
-  for (uint32_t v = 0; v < builder.whole_vertices(); ++v) EXPECT_EQ(users[v], v < 6 ? 4 : 1) << v;
+  for (uint32_t v = 0; v < builder.undivided_vertices(); ++v) EXPECT_EQ(users[v], v < 6 ? 4 : 1) << v;
   EXPECT_FALSE(is_uniform(root_of(mesh, 0)));
 }
 
@@ -272,9 +272,9 @@ TEST(UniformFaces, ProminenceGrowsWithSize) {
   add_polygon(&scene, {{1, 1, 0}, {1.25, 1, 0}, {1.25, 1.2, 0}, {1, 1.2, 0}});    // 1/20 of the diagonal
   MeshBuilder builder(scene);
   for (uint32_t p = 0; p < 3; ++p) builder.face(p, 0);
-  EXPECT_EQ(builder.prominence(0), 1);
-  EXPECT_NEAR(builder.prominence(1), 0.2, 1e-12);
-  EXPECT_NEAR(builder.prominence(2), 12.0 / 20, 1e-9);
+  EXPECT_EQ(builder.accuracy_share(0), 1);
+  EXPECT_NEAR(builder.accuracy_share(1), 0.2, 1e-12);
+  EXPECT_NEAR(builder.accuracy_share(2), 12.0 / 20, 1e-9);
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ struct Workbench {
         tracer(scene),
         swept(scene, tracer, grid),
         builder(scene) {
-    for (uint32_t n = 0; n < grid.node_count(); ++n)
-      instants.push_back(instant_at(scene, node_time(grid, n)));
+    for (uint32_t n = 0; n < grid.sample_count(); ++n)
+      instants.push_back(instant_at(scene, sample_time(grid, n)));
     std::vector<bool> fronts(2 * scene.polygons.size());
     for (size_t side = 0; side < fronts.size(); side += 2) fronts[side] = true;
     builder.add_faces(fronts, uniform_below);

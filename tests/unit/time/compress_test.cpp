@@ -17,8 +17,8 @@ INSTANTIATE_TEST_SUITE_P(AllOrders, Compress, testing::Values(1, 2, 3));
 double rms_error(const TimeGrid& grid, const Field& field, const std::vector<Rgb>& values) {
   static constexpr double kWeights[3][3] = {{1, 0, 0}, {0.5, 0.5, 0}, {5.0 / 18, 8.0 / 18, 5.0 / 18}};
   double sum = 0;
-  for (uint32_t n = 0; n < grid.node_count(); ++n) {
-    const double d = value_at(grid, field, 0, node_time(grid, n), false).r - values[n].r;
+  for (uint32_t n = 0; n < grid.sample_count(); ++n) {
+    const double d = value_at(grid, field, 0, sample_time(grid, n), false).r - values[n].r;
     sum += kWeights[grid.order - 1][n % static_cast<uint32_t>(grid.order)] * d * d;
   }
   return std::sqrt(sum / grid.cell_count());
@@ -104,16 +104,17 @@ TEST_P(Compress, InactiveCellsAreZero) {
 TEST_P(Compress, EveryChannelCounts) {
   const TimeGrid grid = make_time_grid(0, 64, {}, order, 64 * order);
   for (int channel = 0; channel < 3; ++channel) {
-    std::vector<Rgb> values(grid.node_count());
-    for (uint32_t n = 0; n < grid.node_count(); ++n)
-      values[n][channel] = static_cast<float>(std::sin(node_time(grid, n)));
+    std::vector<Rgb> values(grid.sample_count());
+    for (uint32_t n = 0; n < grid.sample_count(); ++n)
+      values[n][channel] = static_cast<float>(std::sin(sample_time(grid, n)));
     Field field;
     field.order = order;
     append_row(grid, values, {}, 1e-3f, &field);
     double worst = 0;
-    for (uint32_t n = 0; n < grid.node_count(); ++n)
+    for (uint32_t n = 0; n < grid.sample_count(); ++n)
       worst = std::max<double>(
-          worst, std::abs(value_at(grid, field, 0, node_time(grid, n), false)[channel] - values[n][channel]));
+          worst,
+          std::abs(value_at(grid, field, 0, sample_time(grid, n), false)[channel] - values[n][channel]));
     EXPECT_LT(worst, 0.01);
     EXPECT_GT(field.pieces.size(), 4u);
   }

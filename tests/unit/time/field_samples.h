@@ -15,8 +15,8 @@ using TimeFunction = std::function<double(double)>;
 // Values at the nodes of a grid; the channels are f, f / 2 and 0.
 inline std::vector<Rgb> samples_of(const TimeGrid& grid, const TimeFunction& f) {
   std::vector<Rgb> values;
-  for (uint32_t n = 0; n < grid.node_count(); ++n) {
-    const auto y = static_cast<float>(f(node_time(grid, n)));
+  for (uint32_t n = 0; n < grid.sample_count(); ++n) {
+    const auto y = static_cast<float>(f(sample_time(grid, n)));
     values.push_back({y, 0.5f * y, 0});
   }
   return values;

@@ -113,10 +113,10 @@ TEST_P(FieldOfOrder, ValuesAtNodesAreThoseOfTheRawFunction) {
     std::vector<Rgb> values(count * order, Rgb{5, 0, 0});
     add_values(grid, rows, 0, first, count, values.data());
     for (uint32_t i = 0; i < values.size(); ++i)
-      EXPECT_NEAR(values[i].r - 5, at(node_time(grid, first * order + i), false), 1e-5) << i;
+      EXPECT_NEAR(values[i].r - 5, at(sample_time(grid, first * order + i), false), 1e-5) << i;
     add_values(grid, rows, 1, first, count, values.data());
-    EXPECT_NEAR(values[0].r - 5, at(node_time(grid, first * order), false) + node_time(grid, first * order),
-                0.1);
+    EXPECT_NEAR(values[0].r - 5,
+                at(sample_time(grid, first * order), false) + sample_time(grid, first * order), 0.1);
   }
 }
 

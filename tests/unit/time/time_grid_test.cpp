@@ -22,13 +22,13 @@ TEST(TimeGrid, SpansBeginAndEndAtSteps) {
     next += 1u << span.log2_cells;
   }
   EXPECT_EQ(grid.cell_count(), next);
-  EXPECT_EQ(grid.node_count(), 2 * next);
+  EXPECT_EQ(grid.sample_count(), 2 * next);
 }
 
 TEST(TimeGrid, HasAboutAsManyNodesAsAskedFor) {
   for (const int order : {1, 2, 3})
     for (const int samples : {24, 100, 375, 1000}) {
-      const double nodes = make_time_grid(0, 24, {}, order, samples).node_count();
+      const double nodes = make_time_grid(0, 24, {}, order, samples).sample_count();
       EXPECT_GE(nodes, samples / 1.5);
       EXPECT_LE(nodes, samples * 1.5);
     }
@@ -40,8 +40,8 @@ TEST(TimeGrid, NodesAscendWithinTheirCells) {
   for (const int order : {1, 2, 3}) {
     const TimeGrid grid = make_time_grid(-2, 9, {1, 4.25}, order, 100);
     double last = -2;
-    for (uint32_t n = 0; n < grid.node_count(); ++n) {
-      const double t = node_time(grid, n);
+    for (uint32_t n = 0; n < grid.sample_count(); ++n) {
+      const double t = sample_time(grid, n);
       EXPECT_GT(t, last);
       EXPECT_EQ(cell_at(grid, t), n / static_cast<uint32_t>(order));
       last = t;
@@ -77,8 +77,8 @@ TEST(TimeGrid, IntervalsCoverTheirCells) {
 
 TEST(TimeGrid, AnInstantIsASingleNode) {
   for (const TimeGrid& grid : {instant_grid(7.5), make_time_grid(7.5, 7.5, {}, 3, 100)}) {
-    EXPECT_EQ(grid.node_count(), 1u);
-    EXPECT_EQ(node_time(grid, 0), 7.5);
+    EXPECT_EQ(grid.sample_count(), 1u);
+    EXPECT_EQ(sample_time(grid, 0), 7.5);
     EXPECT_EQ(cell_at(grid, 7.5), 0u);
   }
 }

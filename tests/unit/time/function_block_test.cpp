@@ -1,36 +1,36 @@
 // Functions of time in few bits: how far they are from what was put in.
-#include "time/light_functions.h"
+#include "time/function_block.h"
 
 #include <gtest/gtest.h>
 
 #include "base/rng.h"
-#include "time/packed_function.h"
+#include "time/scaled_function.h"
 
 namespace strad {
 namespace {
 
-constexpr size_t kDates = 37;
+constexpr size_t kTimes = 37;
 const std::vector<uint32_t> kLights{2, 3, 11};
 
 // Over nine powers of ten.
-Rgb value(uint64_t light, uint64_t date) {
+Rgb value(uint64_t light, uint64_t time_sample) {
   const auto channel = [&](uint64_t c) {
-    return static_cast<float>(std::pow(10.0, 9 * unit_from(hash_of(light, date, c)) - 5));
+    return static_cast<float>(std::pow(10.0, 9 * unit_from(hash_of(light, time_sample, c)) - 5));
   };
   return {channel(0), channel(1), channel(2)};
 }
 
-LightFunctions filled() {
-  LightFunctions functions(12, kLights, kDates);
+FunctionBlock filled() {
+  FunctionBlock functions(12, kLights, kTimes);
   for (const uint32_t light : {11u, 2u, 3u})  // in any order
-    for (size_t d = 0; d < kDates; ++d) functions.set(light, d, value(light, d));
+    for (size_t d = 0; d < kTimes; ++d) functions.set(light, d, value(light, d));
   return functions;
 }
 
-TEST(LightFunctions, KeepsThreeDigits) {
-  const LightFunctions functions = filled();
+TEST(FunctionBlock, KeepsThreeDigits) {
+  const FunctionBlock functions = filled();
   for (const uint32_t light : kLights)
-    for (size_t d = 0; d < kDates; ++d)
+    for (size_t d = 0; d < kTimes; ++d)
       for (int c = 0; c < 3; ++c) {
         const float expected = value(light, d)[c];
         EXPECT_NEAR(functions.get(light, d)[c], expected, 0.004f * expected);
@@ -38,8 +38,8 @@ TEST(LightFunctions, KeepsThreeDigits) {
 }
 
 // Rounding is to the nearest: what many add up to is right.
-TEST(LightFunctions, DoesNotLean) {
-  LightFunctions functions(1, {0}, 10000);
+TEST(FunctionBlock, DoesNotLean) {
+  FunctionBlock functions(1, {0}, 10000);
   double sum = 0, expected = 0;
   for (size_t d = 0; d < 10000; ++d) {
     const auto v = static_cast<float>(1 + unit_from(hash_of(d)));
@@ -50,16 +50,16 @@ TEST(LightFunctions, DoesNotLean) {
   EXPECT_NEAR(sum / expected, 1, 1e-4);
 }
 
-TEST(LightFunctions, BeginsDark) {
-  const LightFunctions functions(12, kLights, kDates);
+TEST(FunctionBlock, BeginsDark) {
+  const FunctionBlock functions(12, kLights, kTimes);
   EXPECT_EQ(functions.get(3, 5), Rgb{});
   EXPECT_TRUE(functions.has(2));
   EXPECT_FALSE(functions.has(4));
-  EXPECT_EQ(functions.lights(), kLights);
+  EXPECT_EQ(functions.rows(), kLights);
 }
 
-TEST(LightFunctions, AddIsTheSum) {
-  const LightFunctions functions = filled();
+TEST(FunctionBlock, AddIsTheSum) {
+  const FunctionBlock functions = filled();
   std::vector<float> weights;
   std::vector<Rgb> sum(20, Rgb{1, 2, 3});
   for (size_t i = 0; i < 20; ++i) weights.push_back(static_cast<float>(unit_from(hash_of(i, 8))));
@@ -91,14 +91,14 @@ void expect_kept(double red_and_green, double blue) {
   EXPECT_FLOAT_EQ(packed[123].b, 40);
 }
 
-TEST(PackedFunction, KeepsSixteenBits) { expect_kept<PackedFunction>(0.51 / 65535, 0.51 / 65535); }
-TEST(TightFunction, KeepsElevenElevenAndTenBits) { expect_kept<TightFunction>(0.51 / 2047, 0.51 / 1023); }
+TEST(FineFunction, KeepsSixteenBits) { expect_kept<FineFunction>(0.51 / 65535, 0.51 / 65535); }
+TEST(CoarseFunction, KeepsElevenElevenAndTenBits) { expect_kept<CoarseFunction>(0.51 / 2047, 0.51 / 1023); }
 
-TEST(PackedFunction, DarkOnesAndEmptyOnes) {
-  EXPECT_TRUE(PackedFunction().empty());
-  EXPECT_TRUE(TightFunction().empty());
-  EXPECT_EQ(PackedFunction(std::vector<Rgb>(3))[1], Rgb{});
-  EXPECT_EQ(TightFunction(std::vector<Rgb>(3))[1], Rgb{});
+TEST(FineFunction, DarkOnesAndEmptyOnes) {
+  EXPECT_TRUE(FineFunction().empty());
+  EXPECT_TRUE(CoarseFunction().empty());
+  EXPECT_EQ(FineFunction(std::vector<Rgb>(3))[1], Rgb{});
+  EXPECT_EQ(CoarseFunction(std::vector<Rgb>(3))[1], Rgb{});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "solve/mesh/whole_rows.h"
+#include "solve/mesh/undivided_rows.h"
 
 #include <algorithm>
 
@@ -8,29 +8,29 @@
 namespace strad {
 
 float tolerance_of(const MeshBuilder& builder, uint32_t vertex, float tolerance) {
-  return tolerance / static_cast<float>(builder.prominence(builder.face_of_vertex(vertex)));
+  return tolerance / static_cast<float>(builder.accuracy_share(builder.face_of_vertex(vertex)));
 }
 
-WholeVertices vertices_of_whole(const Mesh& mesh, uint32_t face) {
+UndividedVertices vertices_of_undivided(const Mesh& mesh, uint32_t face) {
   const Element& root = mesh.elements[mesh.faces[face].element];
   return {root.vertices[0], is_uniform(root) ? 1 : static_cast<uint32_t>(root.corner_count())};
 }
 
-Field rows_of_whole_faces(const TimeGrid& grid, const MeshBuilder& builder, float tolerance,
-                          const FindWhole& find, uint64_t* rays) {
+Field rows_of_undivided_faces(const TimeGrid& grid, const MeshBuilder& builder, float tolerance,
+                              const FindUndivided& find, uint64_t* rays) {
   constexpr uint32_t kChunk = 256;  // faces held in full at once
   Field field;
   field.order = grid.order;
   field.expect_rows(2 * builder.mesh().vertices.size());  // the other vertices and those to come follow
-  for (uint32_t first = 0; first < builder.whole_faces(); first += kChunk) {
-    const uint32_t count = std::min(kChunk, builder.whole_faces() - first);
+  for (uint32_t first = 0; first < builder.undivided_faces(); first += kChunk) {
+    const uint32_t count = std::min(kChunk, builder.undivided_faces() - first);
     std::vector<std::vector<std::vector<Rgb>>> rows(count);
     std::vector<uint64_t> traced(count, 0);
     parallel_for(count, 4, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) rows[i] = find(first + static_cast<uint32_t>(i), &traced[i]);
     });
     for (uint32_t i = 0; i < count; ++i) {
-      uint32_t vertex = vertices_of_whole(builder.mesh(), first + i).first;
+      uint32_t vertex = vertices_of_undivided(builder.mesh(), first + i).first;
       for (const std::vector<Rgb>& row : rows[i])
         append_row(grid, row, {}, tolerance_of(builder, vertex++, tolerance), &field);
       *rays += traced[i];
@@ -42,19 +42,19 @@ Field rows_of_whole_faces(const TimeGrid& grid, const MeshBuilder& builder, floa
 namespace {
 
 std::vector<Rgb> values_of_row(const TimeGrid& grid, const Field& field, uint32_t row) {
-  std::vector<Rgb> values(grid.node_count());
+  std::vector<Rgb> values(grid.sample_count());
   add_values(grid, field, row, 0, grid.cell_count(), values.data());
   return values;
 }
 
 // What a face differs from the mean of those around it.
-std::vector<Rgb> bend_of(const TimeGrid& grid, const Field& field, const std::vector<Rgb>& own,
-                         const std::vector<uint32_t>& around) {
-  std::vector<Rgb> bend(own.size());
-  for (const uint32_t n : around) add_values(grid, field, n, 0, grid.cell_count(), bend.data());
+std::vector<Rgb> difference_of(const TimeGrid& grid, const Field& field, const std::vector<Rgb>& own,
+                               const std::vector<uint32_t>& around) {
+  std::vector<Rgb> difference(own.size());
+  for (const uint32_t n : around) add_values(grid, field, n, 0, grid.cell_count(), difference.data());
   for (size_t d = 0; d < own.size(); ++d)
-    bend[d] = (1 / static_cast<float>(around.size())) * bend[d] - own[d];
-  return bend;
+    difference[d] = (1 / static_cast<float>(around.size())) * difference[d] - own[d];
+  return difference;
 }
 
 void copy_row(const Field& from, uint32_t row, Field* to) {
@@ -67,19 +67,20 @@ void copy_row(const Field& from, uint32_t row, Field* to) {
 }
 
 // What bends usually are, from a thousand faces.
-double usual_bend(const TimeGrid& grid, const Field& field,
-                  const std::vector<std::vector<uint32_t>>& neighbours, const std::vector<uint32_t>& curved) {
-  std::vector<double> bends;
+double usual_difference(const TimeGrid& grid, const Field& field,
+                        const std::vector<std::vector<uint32_t>>& neighbours,
+                        const std::vector<uint32_t>& curved) {
+  std::vector<double> differences;
   for (size_t i = 0; i < curved.size(); i += curved.size() / 1000 + 1) {
     const std::vector<Rgb> own = values_of_row(grid, field, curved[i]);
-    bends.push_back(relative_rms(bend_of(grid, field, own, neighbours[curved[i]]), own));
+    differences.push_back(relative_rms(difference_of(grid, field, own, neighbours[curved[i]]), own));
   }
-  return middle_of(&bends);
+  return median_of(&differences);
 }
 
 }  // namespace
 
-Field without_noise(const TimeGrid& grid, const MeshBuilder& builder, float tolerance, Field field) {
+Field denoise_uniform_faces(const TimeGrid& grid, const MeshBuilder& builder, float tolerance, Field field) {
   constexpr size_t kRows = 1024;  // held in full at once
   // The rows of uniform faces come first, one each, so a face's number is its row's.
   const std::vector<std::vector<uint32_t>> neighbours = builder.curved_neighbours();
@@ -87,7 +88,7 @@ Field without_noise(const TimeGrid& grid, const MeshBuilder& builder, float tole
   for (uint32_t f = 0; f < neighbours.size(); ++f)
     if (!neighbours[f].empty()) curved.push_back(f);
   for (int sweep = 0; sweep < kSweeps && !curved.empty(); ++sweep) {
-    const double usual = usual_bend(grid, field, neighbours, curved);
+    const double usual = usual_difference(grid, field, neighbours, curved);
     Field smoothed;
     smoothed.order = grid.order;
     smoothed.expect_rows(2 * builder.mesh().vertices.size());  // as in rows_of_whole_faces
@@ -97,9 +98,9 @@ Field without_noise(const TimeGrid& grid, const MeshBuilder& builder, float tole
         for (size_t i = begin; i < end; ++i) {
           const uint32_t face = curved[first + i];
           rows[i] = values_of_row(grid, field, face);
-          const std::vector<Rgb> bend = bend_of(grid, field, rows[i], neighbours[face]);
-          const float part = 0.5f * share_of_noise(relative_rms(bend, rows[i]), usual);
-          for (size_t d = 0; d < bend.size(); ++d) rows[i][d] += part * bend[d];
+          const std::vector<Rgb> difference = difference_of(grid, field, rows[i], neighbours[face]);
+          const float part = 0.5f * share_of_noise(relative_rms(difference, rows[i]), usual);
+          for (size_t d = 0; d < difference.size(); ++d) rows[i][d] += part * difference[d];
         }
       });
       for (size_t i = 0; i < rows.size(); ++i) {

@@ -13,26 +13,29 @@ namespace strad {
 
 // Values are kept as the upper halves of floats, to 3 significant digits; what many of them add up to is far
 // better than that.
-class LightFunctions {
+class FunctionBlock {
  public:
-  LightFunctions() = default;
-  // Functions of `lights` (ascending, below `light_count`) at `dates` dates, zero.
-  LightFunctions(size_t light_count, const std::vector<uint32_t>& lights, size_t dates)
-      : lights_(lights), dates_(dates), row_(light_count, kNone), bits_(3 * dates * lights.size()) {
+  FunctionBlock() = default;
+  // Functions of `lights` (ascending, below `light_count`) at `time samples` time samples, zero.
+  FunctionBlock(size_t leaf_count, const std::vector<uint32_t>& lights, size_t time_samples)
+      : lights_(lights),
+        dates_(time_samples),
+        row_(leaf_count, kNone),
+        bits_(3 * time_samples * lights.size()) {
     for (size_t i = 0; i < lights.size(); ++i) row_[lights[i]] = static_cast<uint32_t>(i);
   }
 
-  const std::vector<uint32_t>& lights() const { return lights_; }
-  size_t dates() const { return dates_; }
+  const std::vector<uint32_t>& rows() const { return lights_; }
+  size_t sample_count() const { return dates_; }
   bool has(uint32_t light) const { return row_[light] != kNone; }
 
   // REQUIRES: has(light).
-  Rgb get(uint32_t light, size_t date) const {
-    const uint16_t* b = bits_.data() + 3 * (row_[light] * dates_ + date);
+  Rgb get(uint32_t light, size_t time_sample) const {
+    const uint16_t* b = bits_.data() + 3 * (row_[light] * dates_ + time_sample);
     return {decoded(b[0]), decoded(b[1]), decoded(b[2])};
   }
-  void set(uint32_t light, size_t date, Rgb value) {
-    uint16_t* b = bits_.data() + 3 * (row_[light] * dates_ + date);
+  void set(uint32_t light, size_t time_sample, Rgb value) {
+    uint16_t* b = bits_.data() + 3 * (row_[light] * dates_ + time_sample);
     for (int c = 0; c < 3; ++c)
       b[c] = static_cast<uint16_t>((std::bit_cast<uint32_t>(value[c]) + 0x8000u) >> 16);
   }

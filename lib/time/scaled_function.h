@@ -12,10 +12,10 @@ namespace strad {
 
 // Values are not negative; each is kept to 1 / 65535 of the function's largest, far below what a solve
 // resolves.
-class PackedFunction {
+class FineFunction {
  public:
-  PackedFunction() = default;
-  explicit PackedFunction(const std::vector<Rgb>& values) {
+  FineFunction() = default;
+  explicit FineFunction(const std::vector<Rgb>& values) {
     float largest = 0;
     for (const Rgb& v : values) largest = std::max(largest, max_channel(v));
     unit_ = largest / 65535;
@@ -39,12 +39,12 @@ class PackedFunction {
   std::vector<uint16_t> codes_;
 };
 
-// The same in 4 bytes a date: 11 bits of red and green, 10 of blue. For functions whose values are all of one
-// order, as indirect light is.
-class TightFunction {
+// The same in 4 bytes a time sample: 11 bits of red and green, 10 of blue. For functions whose values are all
+// of one order, as indirect light is.
+class CoarseFunction {
  public:
-  TightFunction() = default;
-  explicit TightFunction(const std::vector<Rgb>& values) {
+  CoarseFunction() = default;
+  explicit CoarseFunction(const std::vector<Rgb>& values) {
     for (const Rgb& v : values) largest_ = std::max(largest_, max_channel(v));
     codes_.reserve(values.size());
     const float scale = largest_ > 0 ? 1 / largest_ : 0;

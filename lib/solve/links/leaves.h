@@ -1,0 +1,41 @@
+// The leaves of the hierarchy, and sums over them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/rgb.h"
+#include "light/tracer.h"
+#include "solve/links/nodes.h"
+#include "solve/prepare/swept.h"
+#include "time/function_block.h"
+#include "time/time_grid.h"
+
+namespace strad {
+
+// What the solve works on. All must outlive the functions that take it.
+struct Workspace {
+  const TimeGrid& grid;
+  const NodeTree& tree;
+  const Tracer& tracer;
+  const SweptBounds& swept;
+};
+
+// The surface of a leaf (see NodeTree::leaf_at): a patch, or a face of a leaf cluster.
+struct LeafSurface {
+  uint32_t element;
+  double area;  // m^2
+  Rgb brdf;     // 1 / sr
+};
+LeafSurface surface_of(const NodeTree& tree, uint32_t leaf);
+
+// All leaves, ascending.
+std::vector<uint32_t> leaves_of(const NodeTree& tree);
+
+// Radiance times area, added up over leaves, time samples and channels.
+double total_of(const NodeTree& tree, const FunctionBlock& radiance);
+
+// Mean radiance over area and time of the leaves that are lit.
+double mean_radiance(const NodeTree& tree, const FunctionBlock& radiance);
+
+}  // namespace strad

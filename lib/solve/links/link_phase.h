@@ -1,0 +1,43 @@
+// The links of the solve: refined from the first pair of clusters on, in rounds of falling thresholds, each
+// followed by a propagation that tells the oracle how bright the emitters are.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "solve/links/leaves.h"
+#include "solve/links/link_table.h"
+#include "solve/links/refinement.h"
+#include "solve/links/transport.h"
+
+namespace strad {
+
+struct LinkOptions {
+  double threshold = 0;        // W / (sr m^2), of the last refinement (RefinementOptions)
+  double smallest_radius = 0;  // m
+  double residual = 1e-4;      // of propagation (TransportInput)
+};
+
+// What the form factors of each leaf should add up to, by node, for the tree as it is. Adds the rays traced.
+using FormFactorSums = std::function<std::vector<float>(uint64_t* rays)>;
+
+struct RefinedLinks {
+  LinkTable table;
+  std::vector<ClusterReflection> reflections;
+  std::vector<float> form_factor_sums;
+  uint64_t count = 0;  // of links
+  RefinementCounts counts;
+  uint64_t form_factor_rays = 0;
+};
+
+// Splits `tree`, which is the tree of `work`, where links need it.
+RefinedLinks refine_links(const Workspace& work, const std::vector<Instant>& instants,
+                          const LinkOptions& options, const DirectPhase& direct,
+                          const FormFactorSums& form_factor_sums, NodeTree* tree);
+
+// For propagation along these links; its `direct` is not yet set. Points to all arguments.
+TransportInput input_of(const Workspace& work, const std::vector<Instant>& instants,
+                        const RefinedLinks& links, double residual);
+
+}  // namespace strad
