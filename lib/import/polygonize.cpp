@@ -201,7 +201,7 @@ bool planar(std::span<const Vec3> corners, double tolerance) {
 
 // A pair of triangles over a common edge, as a quad: 0 unless planar and convex, else the sine of its
 // sharpest corner.
-double quad_quality(std::span<const Vec3> outline, const Piece& quad, double tolerance) {
+double quad_quality(std::span<const Vec3> outline, const OutlinePiece& quad, double tolerance) {
   std::array<Vec3, 4> p;
   for (size_t k = 0; k < 4; ++k) p[k] = outline[static_cast<size_t>(quad.corners[k])];
   if (!planar(p, tolerance)) return 0;
@@ -218,11 +218,11 @@ double quad_quality(std::span<const Vec3> outline, const Piece& quad, double tol
 struct Join {
   double quality;
   size_t first, second;
-  Piece quad;
+  OutlinePiece quad;
 };
 
 // The quad of two triangles that share the edge from corner k of `first`; empty unless they do.
-Piece joined_over(const std::array<int, 3>& first, size_t k, const std::array<int, 3>& second) {
+OutlinePiece joined_over(const std::array<int, 3>& first, size_t k, const std::array<int, 3>& second) {
   for (size_t m = 0; m < 3; ++m) {
     const int tip = second[m];
     if (second[(m + 1) % 3] == first[(k + 1) % 3] && second[(m + 2) % 3] == first[k])
@@ -233,7 +233,7 @@ Piece joined_over(const std::array<int, 3>& first, size_t k, const std::array<in
 
 // Best pairs first; ties go by order, so that the result is always the same.
 void join_triangles(std::span<const Vec3> outline, const std::vector<std::array<int, 3>>& triangles,
-                    double tolerance, std::vector<Piece>* pieces) {
+                    double tolerance, std::vector<OutlinePiece>* pieces) {
   std::map<std::pair<int, int>, size_t> owner_of_edge;
   for (size_t t = 0; t < triangles.size(); ++t)
     for (size_t k = 0; k < 3; ++k) owner_of_edge.insert({{triangles[t][k], triangles[t][(k + 1) % 3]}, t});
@@ -242,7 +242,7 @@ void join_triangles(std::span<const Vec3> outline, const std::vector<std::array<
     for (size_t k = 0; k < 3; ++k) {
       const auto other = owner_of_edge.find({triangles[t][(k + 1) % 3], triangles[t][k]});
       if (other == owner_of_edge.end() || other->second <= t) continue;
-      const Piece quad = joined_over(triangles[t], k, triangles[other->second]);
+      const OutlinePiece quad = joined_over(triangles[t], k, triangles[other->second]);
       if (const double quality = quad_quality(outline, quad, tolerance); quality > 0)
         joins.push_back({quality, t, other->second, quad});
     }
@@ -270,7 +270,7 @@ std::vector<Vec2> flattened(std::span<const Vec3> outline, Vec3 normal) {
 
 }  // namespace
 
-Outline polygonize(std::span<const Vec3> outline, std::vector<Piece>* pieces) {
+Outline polygonize(std::span<const Vec3> outline, std::vector<OutlinePiece>* pieces) {
   const Tolerance tolerance = tolerance_of(outline);
   const Vec3 area = doubled_area(outline);
   if (!(length(area) > tolerance.point * tolerance.point)) return Outline::kDegenerate;
@@ -282,7 +282,7 @@ Outline polygonize(std::span<const Vec3> outline, std::vector<Piece>* pieces) {
     return Outline::kWhole;
   }
   if (ring.size() == 4 && clipper.convex()) {
-    const Piece quad{{ring[0], ring[1], ring[2], ring[3]}};
+    const OutlinePiece quad{{ring[0], ring[1], ring[2], ring[3]}};
     if (quad_quality(outline, quad, tolerance.plane) > 0) {
       pieces->push_back(quad);
       return Outline::kWhole;

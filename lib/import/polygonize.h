@@ -10,7 +10,7 @@
 namespace strad {
 
 // Positions in the outline, in its winding; the last is -1 for a triangle.
-struct Piece {
+struct OutlinePiece {
   int corners[4] = {-1, -1, -1, -1};
 };
 
@@ -27,6 +27,6 @@ constexpr size_t kMaxCorners = 5000;
 // ear clipping (Meisters 1975), joined again where two make a good planar convex quad. Holes come as bridges:
 // edges walked both ways. Corners on a straight edge are left out. REQUIRES: 3 to kMaxCorners finite corners,
 // counter-clockwise seen from the front.
-Outline polygonize(std::span<const Vec3> outline, std::vector<Piece>* pieces);
+Outline polygonize(std::span<const Vec3> outline, std::vector<OutlinePiece>* pieces);
 
 }  // namespace strad

@@ -19,17 +19,17 @@ class FaceAdder {
   void add(size_t face_number);
 
  private:
-  Polygon polygon_of(const ParsedObj::Face& face, const Piece& piece) const;
+  Polygon polygon_of(const ParsedObj::Face& face, const OutlinePiece& piece) const;
   const ParsedObj& obj_;
   const ObjScan& scan_;
   const std::string name_;
   ImportReport* report_;
   Scene* scene_;
   std::vector<Vec3> outline_;
-  std::vector<Piece> pieces_;
+  std::vector<OutlinePiece> pieces_;
 };
 
-Polygon FaceAdder::polygon_of(const ParsedObj::Face& face, const Piece& piece) const {
+Polygon FaceAdder::polygon_of(const ParsedObj::Face& face, const OutlinePiece& piece) const {
   Polygon polygon;
   polygon.material = face.material;
   polygon.object = face.object;
@@ -54,7 +54,7 @@ void FaceAdder::add(size_t face_number) {
   const Outline kind = polygonize(outline_, &pieces_);
   if (kind == Outline::kDegenerate) report_->add("degenerate face left out", name_, line);
   if (kind == Outline::kCrossing) report_->add("face that crosses itself left out in part", name_, line);
-  for (const Piece& piece : pieces_) {
+  for (const OutlinePiece& piece : pieces_) {
     scene_->polygons.push_back(polygon_of(face, piece));
     if (scene_->materials[face.material].texture != kNone && scene_->polygons.back().uvs[0] == kNone)
       report_->add("face of a material with map_Kd has no texture coordinates", name_, line);

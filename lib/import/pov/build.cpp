@@ -124,7 +124,7 @@ void PovBuilder::add_facet(const PovFacet& facet, const PovObject& object, uint3
   // Mirrored space turns outlines around.
   const auto at = [&](size_t i) { return mirror_ ? count - 1 - i : i; };
   if (mirror_) std::reverse(outline.begin(), outline.end());
-  std::vector<Piece> pieces;
+  std::vector<OutlinePiece> pieces;
   const Outline kind = polygonize(outline, &pieces);
   if (kind == Outline::kDegenerate)
     report_->add("degenerate face left out", object.place.file, object.place.line);
@@ -134,7 +134,7 @@ void PovBuilder::add_facet(const PovFacet& facet, const PovObject& object, uint3
   const uint32_t material = material_of(*facet.surface, object_name);
   const bool textured = scene_.materials[material].texture != kNone;
   if (textured && facet.uvs.empty()) refuse({"image_map without uv_vectors", facet.surface->place});
-  for (const Piece& piece : pieces) {
+  for (const OutlinePiece& piece : pieces) {
     Polygon polygon;
     polygon.object = scene_object;
     polygon.material = material;

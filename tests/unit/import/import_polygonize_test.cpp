@@ -12,7 +12,7 @@ Vec3 doubled_area(const std::vector<Vec3>& p) {
   return sum;
 }
 
-std::vector<Vec3> corners_of(const std::vector<Vec3>& outline, const Piece& piece) {
+std::vector<Vec3> corners_of(const std::vector<Vec3>& outline, const OutlinePiece& piece) {
   std::vector<Vec3> corners;
   for (const int c : piece.corners)
     if (c >= 0) corners.push_back(outline[static_cast<size_t>(c)]);
@@ -30,7 +30,7 @@ bool inside(const std::vector<Vec3>& outline, double x, double y) {  // even-odd
 
 // Each point of a fine grid lies in exactly one piece if it is inside the outline, in none if it is outside.
 void expect_exact_cover(const std::vector<Vec3>& outline) {
-  std::vector<Piece> pieces;
+  std::vector<OutlinePiece> pieces;
   ASSERT_EQ(polygonize(outline, &pieces), Outline::kWhole);
   Box box;
   for (const Vec3 p : outline) box.add(p);
@@ -39,11 +39,11 @@ void expect_exact_cover(const std::vector<Vec3>& outline) {
       const double x = box.lower.x + (i + 0.437) / 97 * (box.upper.x - box.lower.x);
       const double y = box.lower.y + (j + 0.519) / 89 * (box.upper.y - box.lower.y);
       int covered = 0;
-      for (const Piece& piece : pieces) covered += inside(corners_of(outline, piece), x, y);
+      for (const OutlinePiece& piece : pieces) covered += inside(corners_of(outline, piece), x, y);
       ASSERT_EQ(covered, inside(outline, x, y) ? 1 : 0) << "at " << x << " " << y;
     }
   }
-  for (const Piece& piece : pieces) {  // same winding, convex
+  for (const OutlinePiece& piece : pieces) {  // same winding, convex
     const std::vector<Vec3> p = corners_of(outline, piece);
     for (size_t k = 0; k < p.size(); ++k)
       EXPECT_GT(cross(p[(k + 1) % p.size()] - p[k], p[(k + 2) % p.size()] - p[(k + 1) % p.size()]).z, 0);
@@ -51,7 +51,7 @@ void expect_exact_cover(const std::vector<Vec3>& outline) {
 }
 
 TEST(polygonize, keeps_a_planar_convex_quad) {
-  std::vector<Piece> pieces;
+  std::vector<OutlinePiece> pieces;
   EXPECT_EQ(polygonize(std::vector<Vec3>{{0, 0, 5}, {2, 0, 5}, {2, 1, 5}, {0, 1, 5}}, &pieces),
             Outline::kWhole);
   ASSERT_EQ(pieces.size(), 1u);
@@ -60,7 +60,7 @@ TEST(polygonize, keeps_a_planar_convex_quad) {
 
 TEST(polygonize, keeps_a_planar_quad_far_from_the_origin) {
   // Coordinates as floats hold them at 8 km: steps of half a millimetre.
-  std::vector<Piece> pieces;
+  std::vector<OutlinePiece> pieces;
   polygonize(std::vector<Vec3>{{8434.8086, 6083.6548, 2.387},
                                {8434.8086, 6083.6548, 71.633},
                                {8432.3096, 6092.2061, 71.633},
@@ -70,7 +70,7 @@ TEST(polygonize, keeps_a_planar_quad_far_from_the_origin) {
 }
 
 TEST(polygonize, splits_a_bent_quad_into_two_triangles) {
-  std::vector<Piece> pieces;
+  std::vector<OutlinePiece> pieces;
   EXPECT_EQ(polygonize(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.01}, {0, 1, 0}}, &pieces),
             Outline::kWhole);
   ASSERT_EQ(pieces.size(), 2u);
@@ -81,7 +81,7 @@ TEST(polygonize, splits_a_bent_quad_into_two_triangles) {
 TEST(polygonize, splits_a_concave_quad) {
   const std::vector<Vec3> dart{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};
   expect_exact_cover(dart);
-  std::vector<Piece> pieces;
+  std::vector<OutlinePiece> pieces;
   polygonize(dart, &pieces);
   EXPECT_EQ(pieces.size(), 2u);
 }
@@ -89,7 +89,7 @@ TEST(polygonize, splits_a_concave_quad) {
 TEST(polygonize, cuts_an_l_shape_into_two_quads) {
   const std::vector<Vec3> shape{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
   expect_exact_cover(shape);
-  std::vector<Piece> pieces;
+  std::vector<OutlinePiece> pieces;
   polygonize(shape, &pieces);
   EXPECT_EQ(pieces.size(), 2u);
 }
@@ -151,7 +151,7 @@ TEST(polygonize, walks_two_bridges_from_one_corner) {
 }
 
 TEST(polygonize, leaves_out_corners_on_straight_edges) {
-  std::vector<Piece> pieces;
+  std::vector<OutlinePiece> pieces;
   EXPECT_EQ(
       polygonize(
           std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {0, 2, 0}, {0, 1, 0}},
@@ -162,7 +162,7 @@ TEST(polygonize, leaves_out_corners_on_straight_edges) {
 }
 
 TEST(polygonize, drops_what_has_no_area) {
-  std::vector<Piece> pieces;
+  std::vector<OutlinePiece> pieces;
   const Vec3 a{1, 1, 1}, b{2, 1, 1}, c{3, 1, 1};
   EXPECT_EQ(polygonize(std::vector<Vec3>{a, a, a}, &pieces), Outline::kDegenerate);
   EXPECT_EQ(polygonize(std::vector<Vec3>{a, b, a}, &pieces), Outline::kDegenerate);
@@ -173,7 +173,7 @@ TEST(polygonize, drops_what_has_no_area) {
 }
 
 TEST(polygonize, drops_a_repeated_corner) {
-  std::vector<Piece> pieces;
+  std::vector<OutlinePiece> pieces;
   EXPECT_EQ(polygonize(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}}, &pieces),
             Outline::kWhole);
   ASSERT_EQ(pieces.size(), 1u);
@@ -181,7 +181,7 @@ TEST(polygonize, drops_a_repeated_corner) {
 }
 
 TEST(polygonize, tells_of_an_outline_that_crosses_itself) {
-  std::vector<Piece> pieces;
+  std::vector<OutlinePiece> pieces;
   EXPECT_EQ(polygonize(std::vector<Vec3>{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {1, -2, 0}}, &pieces),
             Outline::kCrossing);
 }
@@ -196,10 +196,10 @@ TEST(polygonize, stays_in_the_corners_of_any_outline) {
     for (Vec3& p : outline)
       p = {static_cast<double>(random() % 5), static_cast<double>(random() % 5),
            trial % 3 ? 0.0 : random() % 2};
-    std::vector<Piece> pieces;
+    std::vector<OutlinePiece> pieces;
     const Outline result = polygonize(outline, &pieces);
     EXPECT_EQ(result == Outline::kDegenerate, pieces.empty() && result != Outline::kCrossing);
-    for (const Piece& piece : pieces) {
+    for (const OutlinePiece& piece : pieces) {
       for (const int c : piece.corners) ASSERT_LT(c, static_cast<int>(outline.size()));
       EXPECT_GT(length(doubled_area(corners_of(outline, piece))), 0);
     }
