@@ -1,5 +1,6 @@
 // strad-frame: frames of a solved stream, as pictures, for POV-Ray or as PLY meshes.
 #include <cmath>
+#include <optional>
 
 #include "export/write_frames.h"
 #include "frame/frame_list.h"
@@ -10,14 +11,28 @@ namespace {
 using namespace strad;
 
 constexpr int kMaxSamples = 65536;
+constexpr int kMaxPaths = 100'000'000;
 
 struct FrameTool {
   Common common;
   FrameRequest request;
   bool pov = false, ply = false;
+  std::optional<int> reference, seed;
 };
 
+void check_reference(const FrameTool& tool) {
+  if (tool.seed && !tool.reference) throw BadInput("--seed: for --reference only");
+  if (tool.seed && *tool.seed < 0) fail_option("--seed", std::to_string(*tool.seed), "0 or more");
+  if (!tool.reference) return;
+  if (*tool.reference < 1 || *tool.reference > kMaxPaths) {
+    fail_option("--reference", std::to_string(*tool.reference), "1 to " + std::to_string(kMaxPaths));
+  }
+  if (tool.pov || tool.ply) throw BadInput("--reference: for pictures, without --pov and --ply");
+  if (tool.request.raster.flat) throw BadInput("--reference and --flat: found both, expected one of them");
+}
+
 void check(const FrameTool& tool) {
+  check_reference(tool);
   const FrameRequest& request = tool.request;
   const bool to_files = !request.output.empty() && request.output != "-";
   if (!request.frames.empty() && !request.times.empty()) {
@@ -54,6 +69,9 @@ FrameTool parse_options(int argc, char** argv) {
   options.choice("--direct", {"pixel", "mesh"}, &direct,
                  "direct light by shadow rays, or from the solution (default pixel)");
   options.flag("--flat", &request.raster.flat, "show the elements of the solution as they are");
+  options.integer("--reference", "N", &tool.reference,
+                  "trace N paths a pixel and leave the solution aside: slow, noisy, unbiased");
+  options.integer("--seed", "S", &tool.seed, "of the noise of --reference (default 0)");
   options.number("--exposure", "EV", &request.exposure, "scale all light by 2^EV (default 0)");
   options.flag("--pfm", &request.pfm, "linear PFM on standard output in place of PPM");
   options.flag("--pov", &tool.pov, "write files for POV-Ray in place of pictures");
@@ -68,6 +86,8 @@ FrameTool parse_options(int argc, char** argv) {
   request.raster.direct = direct == "mesh" ? DirectFrom::kMesh : DirectFrom::kPixel;
   request.output = tool.common.output;
   check(tool);
+  request.reference = tool.reference.value_or(0);
+  request.seed = static_cast<uint64_t>(tool.seed.value_or(0));
   return tool;
 }
 
@@ -78,6 +98,8 @@ int write_frames(const FrameTool& tool) {
     write_pov(tool.request, progress);
   } else if (tool.ply) {
     write_ply(tool.request, progress);
+  } else if (tool.request.reference > 0) {
+    write_references(tool.request, progress);
   } else {
     write_pictures(tool.request, progress);
   }

@@ -1,6 +1,7 @@
 #include "export/write_frames.h"
 
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "base/error.h"
@@ -71,6 +72,33 @@ PovOptions pov_options(const FrameRequest& request, const Scene& scene) {
   return options;
 }
 
+// Renders each frame and writes it to its file or down a pipe.
+void write_each(const FrameRequest& request, const Scene& scene, TimeRange range, const Progress& progress,
+                const std::function<Image(const Camera&, double time)>& render) {
+  const std::vector<FrameTime> frames = frames_of(request, scene, range);
+  const Camera& camera = find_camera(scene, "--camera", request.camera);
+  std::optional<FilePattern> pattern;
+  std::optional<Output> pipe;
+  if (to_files(request)) {
+    pattern = pattern_for(request, frames.size());
+    require_image_format(pattern->name(frames.front().number));
+  } else {
+    pipe.emplace("-");
+  }
+  for (size_t i = 0; i < frames.size(); ++i) {
+    const auto [number, time] = frames[i];
+    report(progress, i, frames.size(), number);
+    Image image = render(camera, time);
+    expose(&image, request.exposure);
+    if (pattern) {
+      save_image(pattern->name(number), image);
+    } else {
+      pipe->write(request.pfm ? encode_pfm(image) : encode_ppm(image));
+    }
+  }
+  if (pipe) pipe->commit();
+}
+
 }  // namespace
 
 const Camera& find_camera(const Scene& scene, const std::string& option, const std::string& name) {
@@ -86,33 +114,27 @@ const Camera& find_camera(const Scene& scene, const std::string& option, const s
 
 void write_pictures(const FrameRequest& request, const Progress& progress) {
   SolutionFile file(request.stream);
-  const Scene& scene = file.scene();
-  const std::vector<FrameTime> frames = frames_of(request, scene, {file.begin(), file.end()});
-  const Camera& camera = find_camera(scene, "--camera", request.camera);
-  std::optional<FilePattern> pattern;
-  std::optional<Output> pipe;
-  if (to_files(request)) {
-    pattern = pattern_for(request, frames.size());
-    require_image_format(pattern->name(frames.front().number));
-  } else {
-    pipe.emplace("-");
-  }
   RasterOptions options = request.raster;
+  options.shutter = request.shutter / file.scene().rate;
+  Raster raster(file.scene());
+  write_each(request, file.scene(), {file.begin(), file.end()}, progress,
+             [&](const Camera& camera, double time) {
+               const Slab& slab = file.slab_for(time, time + options.shutter, parts_for(options));
+               return raster.render(slab, camera, time, options);
+             });
+}
+
+void write_references(const FrameRequest& request, const Progress& progress) {
+  const Scene scene = read_stream(request.stream).scene;
+  ReferenceOptions options;
+  options.width = request.raster.width;
+  options.height = request.raster.height;
+  options.paths = request.reference;
   options.shutter = request.shutter / scene.rate;
-  Raster raster(scene);
-  for (size_t i = 0; i < frames.size(); ++i) {
-    const auto [number, time] = frames[i];
-    report(progress, i, frames.size(), number);
-    const Slab& slab = file.slab_for(time, time + options.shutter, parts_for(options));
-    Image image = raster.render(slab, camera, time, options);
-    expose(&image, request.exposure);
-    if (pattern) {
-      save_image(pattern->name(number), image);
-    } else {
-      pipe->write(request.pfm ? encode_pfm(image) : encode_ppm(image));
-    }
-  }
-  if (pipe) pipe->commit();
+  options.seed = request.seed;
+  const Reference reference(scene);
+  write_each(request, scene, {scene.start, scene.end, "the animation"}, progress,
+             [&](const Camera& camera, double time) { return reference.render(camera, time, options); });
 }
 
 void write_ply(const FrameRequest& request, const Progress& progress) {

@@ -5,6 +5,7 @@
 
 #include "base/progress.h"
 #include "frame/raster.h"
+#include "frame/reference.h"
 #include "solution/solution_file.h"
 
 namespace strad {
@@ -20,10 +21,13 @@ struct FrameRequest {
   double exposure = 0;   // all light is scaled by 2^exposure
   bool pfm = false;      // on standard output, PFM in place of PPM
   RasterOptions raster;  // its shutter is set from the one above
+  int reference = 0;     // paths a pixel of a reference frame; 0: frames of the solution
+  uint64_t seed = 0;     // of its noise
 };
 
 // Each throws BadInput or IoError; a file is whole or absent.
 void write_pictures(const FrameRequest& request, const Progress& progress);
+void write_references(const FrameRequest& request, const Progress& progress);  // needs no solution
 void write_ply(const FrameRequest& request, const Progress& progress);
 void write_pov(const FrameRequest& request, const Progress& progress);  // `direct` chooses the lights
 

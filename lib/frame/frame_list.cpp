@@ -48,14 +48,14 @@ bool holds(TimeRange range, double time) {
   return time >= range.begin - slack && time <= range.end + slack;
 }
 
-std::string solved_words(TimeRange range) {
-  return "the solution holds " + in_words(range.begin) + " to " + in_words(range.end) + " s";
+std::string range_words(TimeRange range) {
+  return std::string(range.of) + " holds " + in_words(range.begin) + " to " + in_words(range.end) + " s";
 }
 
 }  // namespace
 
 TimeRange solved_range(const Solution& solution) {
-  return {slab_begin(solution.slabs.front()), slab_end(solution.slabs.back())};
+  return {slab_begin(solution.slabs.front()), slab_end(solution.slabs.back()), "the solution"};
 }
 
 std::vector<FrameTime> parse_frames(const Scene& scene, TimeRange range, const std::string& option,
@@ -77,7 +77,7 @@ std::vector<FrameTime> parse_frames(const Scene& scene, TimeRange range, const s
     const double time = frame_time(scene, static_cast<double>(k));
     if (!holds(range, time)) {
       throw BadInput(option + ": frame " + std::to_string(k) + " is at " + in_words(time) + " s, but " +
-                     solved_words(range));
+                     range_words(range));
     }
     frames.push_back({static_cast<int>(k), time});
   }
@@ -90,7 +90,7 @@ std::vector<FrameTime> parse_times(TimeRange range, const std::string& option, c
     const std::optional<double> time = number_in<double>(part);
     if (!time || !std::isfinite(*time)) refuse(option, text, "times in seconds, T,T,...");
     if (!holds(range, *time)) {
-      throw BadInput(option + ": found " + std::string(part) + " s, but " + solved_words(range));
+      throw BadInput(option + ": found " + std::string(part) + " s, but " + range_words(range));
     }
     times.push_back({static_cast<int>(times.size()) + 1, *time});
   }

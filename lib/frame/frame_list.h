@@ -18,6 +18,7 @@ struct FrameTime {
 // The stretch of time that frames may show, s.
 struct TimeRange {
   double begin = 0, end = 0;
+  const char* of = "the solution";  // for complaints
 };
 TimeRange solved_range(const Solution& solution);
 

@@ -1,0 +1,147 @@
+#include "frame/paths.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace strad {
+namespace {
+
+// Points of emitters among which one is chosen for a shadow ray.
+constexpr int kCandidates = 8;
+// Paths are whole up to this many reflections, then end by chance (Arvo & Kirk 1990).
+constexpr int kWhole = 2;
+
+// Malley's method: directions in proportion to their cosine.
+Vec3 cosine_direction(Vec3 normal, Point2 at) {
+  const double radius = std::sqrt(at.u), angle = 2 * kPi * at.v;
+  const Frame frame = frame_about(normal);
+  return normalized(radius * std::cos(angle) * frame.tangent + radius * std::sin(angle) * frame.bitangent +
+                    std::sqrt(std::max(0.0, 1 - at.u)) * normal);
+}
+
+}  // namespace
+
+Paths::Paths(const Scene& scene, const Tracer& tracer, const Surfaces& surfaces)
+    : scene_(scene), tracer_(tracer), surfaces_(surfaces) {
+  double sum = 0;
+  for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
+    const Polygon& polygon = scene.polygons[p];
+    if (!emits(scene, polygon)) continue;
+    for (int c = 2; c < polygon.corner_count(); ++c) {
+      const Vec3 a = scene.vertices[polygon.corners[0]], b = scene.vertices[polygon.corners[c - 1]],
+                 d = scene.vertices[polygon.corners[c]];
+      const Vec3 doubled = cross(b - a, d - a);
+      const double area = length(doubled) / 2;
+      if (!(area > 0)) continue;
+      const double power = area * max_channel(scene.materials[polygon.material].emission);
+      sum += power;
+      emitters_.push_back({{a, b, d}, normalized(doubled), area, power, p});
+      up_to_.push_back(sum);
+    }
+  }
+  for (Emitter& emitter : emitters_) emitter.probability /= sum;
+}
+
+Rgb Paths::unoccluded(const Instant& instant, const SurfacePoint& point, size_t s) const {
+  const SpotState& spot = instant.spots[s];
+  const Vec3 to_spot = spot.position - point.position;
+  const double cos_point = dot(to_spot, point.normal);  // times the distance
+  if (!(cos_point > 0)) return {};
+  const double distance2 = length2(to_spot), distance = std::sqrt(distance2);
+  const double falloff = spot_falloff(scene_.spots[s], -dot(to_spot, spot.direction) / distance);
+  return static_cast<float>(falloff * cos_point / (distance2 * distance)) * spot.intensity;
+}
+
+// One spot, chosen in proportion to what it brings if nothing is between.
+Rgb Paths::spots(const Instant& instant, const SurfacePoint& point, PathRandom* random) const {
+  double sum = 0;
+  const double u = random->next();
+  size_t chosen = 0;
+  Rgb brought;
+  double left = u;  // one uniform number serves all choices: it is stretched after each
+  for (size_t s = 0; s < instant.spots.size(); ++s) {
+    const Rgb irradiance = unoccluded(instant, point, s);
+    const double weight = max_channel(irradiance);
+    if (!(weight > 0)) continue;
+    sum += weight;
+    const double take = weight / sum;
+    if (left < take) {
+      chosen = s, brought = irradiance, left /= take;
+    } else {
+      left = (left - take) / (1 - take);
+    }
+  }
+  if (!(sum > 0)) return {};
+  const Vec3 lifted = point.position + tracer_.offset() * point.normal;
+  if (tracer_.occluded(instant.world_from_body, lifted, instant.spots[chosen].position)) return {};
+  return static_cast<float>(sum / max_channel(brought)) * brought;
+}
+
+// A point of an emitter, by area times emission.
+Paths::Candidate Paths::draw_emitter(const Instant& instant, const SurfacePoint& point,
+                                     PathRandom* random) const {
+  const double target = random->next() * up_to_.back(), root = std::sqrt(random->next()), v = random->next();
+  const auto chosen = std::upper_bound(up_to_.begin(), up_to_.end() - 1, target);
+  const Emitter& emitter = emitters_[static_cast<size_t>(chosen - up_to_.begin())];
+  if (emitter.polygon == point.polygon) return {};
+  const Polygon& polygon = scene_.polygons[emitter.polygon];
+  const Pose& pose = instant.world_from_body[body_of(scene_, polygon)];
+  const auto& c = emitter.corners;
+  const Vec3 on_emitter = pose * ((1 - root) * c[0] + root * (1 - v) * c[1] + root * v * c[2]);  // Turk 1990
+  const Vec3 normal = rotate(pose, emitter.normal), to = on_emitter - point.position;
+  const double cos_point = dot(to, point.normal), cos_emitter = -dot(to, normal), distance2 = length2(to);
+  if (!(cos_point > 0) || !(cos_emitter > 0)) return {};
+  const double geometry = cos_point * cos_emitter / (distance2 * distance2);
+  const double scale = geometry * emitter.area / emitter.probability * instant.glow[polygon.material];
+  return {on_emitter + tracer_.offset() * normal,
+          static_cast<float>(scale) * scene_.materials[polygon.material].emission};
+}
+
+// One of a few candidates, in proportion to what it brings if nothing is between, stands for their mean
+// (resampled importance sampling: Talbot, Cline & Egbert 2005).
+Rgb Paths::emitters(const Instant& instant, const SurfacePoint& point, PathRandom* random) const {
+  if (emitters_.empty()) return {};
+  double sum = 0;
+  Candidate chosen;
+  for (int i = 0; i < kCandidates; ++i) {
+    const Candidate candidate = draw_emitter(instant, point, random);
+    const double weight = max_channel(candidate.irradiance);
+    sum += weight;
+    if (random->next() * sum < weight) chosen = candidate;
+  }
+  if (!(sum > 0)) return {};
+  const Vec3 lifted = point.position + tracer_.offset() * point.normal;
+  if (tracer_.occluded(instant.world_from_body, lifted, chosen.target)) return {};
+  return static_cast<float>(sum / (kCandidates * max_channel(chosen.irradiance))) * chosen.irradiance;
+}
+
+Rgb Paths::direct(const Instant& instant, const SurfacePoint& point, PathRandom* random) const {
+  const Rgb from_spots = spots(instant, point, random);
+  return from_spots + emitters(instant, point, random);
+}
+
+Rgb Paths::indirect(const Instant& instant, const SurfacePoint& point, Point2 first,
+                    PathRandom* random) const {
+  // E = pi times the mean of L over directions by their cosine, and L = rho E / pi of what is met there.
+  Rgb sum, throughput{1, 1, 1};
+  SurfacePoint from = point;
+  Point2 at = first;
+  for (int reflections = 1;; ++reflections) {
+    const Vec3 lifted = from.position + tracer_.offset() * from.normal;
+    const Sight sight = surfaces_.look(instant, lifted, cosine_direction(from.normal, at));
+    if (sight.point.polygon == kNone) return sum;
+    throughput = throughput * sight.reflectance;
+    if (reflections > kWhole) {
+      const float survival = std::min(1.0f, max_channel(throughput));
+      if (!(random->next() < survival)) return sum;
+      throughput = (1 / survival) * throughput;
+    }
+    if (is_black(throughput)) return sum;
+    sum += throughput * direct(instant, sight.point, random);
+    from = sight.point;
+    at.u = random->next();
+    at.v = random->next();
+  }
+}
+
+}  // namespace strad

@@ -1,0 +1,63 @@
+// Unbiased light at a point by path tracing: what a solution is measured against.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/rng.h"
+#include "frame/surfaces.h"
+#include "light/direct.h"
+#include "light/tracer.h"
+
+namespace strad {
+
+// The random numbers of one path: value i depends on the key and i alone.
+class PathRandom {
+ public:
+  explicit PathRandom(uint64_t key) : key_(key) {}
+  double next() { return unit_from(mix64(key_ + ++count_)); }  // uniform in [0, 1)
+
+ private:
+  uint64_t key_;
+  uint64_t count_ = 0;
+};
+
+// Paths over diffuse surfaces with light sampled at each of their points (Kajiya 1986): a path that meets an
+// emitter adds nothing, for its light was sampled before. Thread-safe.
+class Paths {
+ public:
+  Paths(const Scene& scene, const Tracer& tracer, const Surfaces& surfaces);  // keeps references
+
+  // W / m^2: an unbiased estimate of what one randomly chosen spot and one point of an emitter stand for.
+  Rgb direct(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
+  Rgb emitters(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
+
+  // W / m^2: an unbiased estimate of the light reflected at least once that `point` receives. `first`,
+  // uniform in the unit square, is the direction in which the path leaves.
+  Rgb indirect(const Instant& instant, const SurfacePoint& point, Point2 first, PathRandom* random) const;
+
+ private:
+  // A point of an emitter seen from a point that it lights.
+  struct Candidate {
+    Vec3 target;     // world, lifted off the emitter
+    Rgb irradiance;  // W / m^2 of its whole share of the power, if nothing is between
+  };
+  Candidate draw_emitter(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
+  Rgb spots(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
+  Rgb unoccluded(const Instant& instant, const SurfacePoint& point, size_t spot) const;
+
+  const Scene& scene_;
+  const Tracer& tracer_;
+  const Surfaces& surfaces_;
+  // Triangles of emitting polygons, rest, and the running sum of their area times emission.
+  struct Emitter {
+    Vec3 corners[3];
+    Vec3 normal;
+    double area = 0, probability = 0;
+    uint32_t polygon = kNone;
+  };
+  std::vector<Emitter> emitters_;
+  std::vector<double> up_to_;
+};
+
+}  // namespace strad
