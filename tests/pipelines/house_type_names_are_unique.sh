@@ -10,8 +10,8 @@ types=$(find . -name '*.h' -o -name '*.cpp' | sort | xargs awk '
   !own && /^(template <.*> )?(struct|class|enum|union) .*\{/ {
     sub(/^template <.*> /, "")
     sub(/^enum (class|struct) /, "enum ")
-    split($0, words, /[ :;{<]+/)
-    print words[2], substr(FILENAME, 3)
+    split($0, words, /[ ;{<]+/)
+    if (words[2] !~ /::/) print words[2], substr(FILENAME, 3)  # else a member, defined outside of its class
   }' | sort)
 [ "$(wc -l <<<"$types")" -gt 50 ] || { echo "found too few types: $types"; exit 1; }
 twice=$(cut -d' ' -f1 <<<"$types" | uniq -d)
