@@ -24,13 +24,17 @@ bench: build  ## error against CPU seconds, acceleration, continuity, as tables
 	@.ci/install bench
 	@PATH="$(abspath $(BUILD))/bin:$$PATH" bash tests/bench/bench.sh
 
-lint: configure  ## formatting, warnings of a second compiler, man pages
-	@.ci/install lint check
+lint:  ## formatting, a second compiler's warnings, clang-tidy, man pages, types defined twice
+	@.ci/install build check lint
 	@clang-format --dry-run --Werror $(sources)
 	@mandoc -T lint -W warning man/*.[157]
-	@CXX=clang++ cmake -G Ninja -S . -B $(BUILD)/lint -D CMAKE_BUILD_TYPE=Debug >$(BUILD)/lint.log || \
-	  { cat $(BUILD)/lint.log; false; }
+	@mkdir -p $(BUILD)/lint
+	@CXX=clang++ cmake -G Ninja -S . -B $(BUILD)/lint -D CMAKE_BUILD_TYPE=Debug -D STRAD_TESTS=ON >$(BUILD)/lint/log || \
+	  { cat $(BUILD)/lint/log; false; }
 	@cmake --build $(BUILD)/lint
+	@find lib tools -name '*.cpp' | xargs -P $$(nproc) -n 4 clang-tidy -quiet -p $(BUILD)/lint 2>/dev/null
+	@for claim in type_names_are_unique folders_include_no_circles; do \
+	  STRAD_SOURCE_DIR=$(CURDIR) bash -eu -o pipefail tests/pipelines/house_$$claim.sh || exit 1; done
 
 format:  ## lay out the sources by .clang-format
 	@.ci/install lint

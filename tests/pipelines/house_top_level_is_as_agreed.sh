@@ -6,5 +6,5 @@ if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
 else
   entries=$(ls | grep -v '^build')
 fi
-expected='CMakeLists.txt LICENSE Makefile README.md lib man scenes tests tools'
+expected='CHANGELOG.md CMakeLists.txt CMakePresets.json CONTRIBUTING.md LICENSE Makefile README.md lib man scenes tests tools'
 diff <(grep -v '^\.' <<<"$entries") <(tr ' ' '\n' <<<"$expected")

@@ -239,7 +239,9 @@ TEST(WholeFaces, OfBoxesHaveCornersOfTheirOwn) {
   scene.end = 1;
   add_polygon(&scene, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
   const auto add_box = [&](Vec3 at, double side) {
-    const auto corner = [&](int i) { return at + side * Vec3(i & 1, i >> 1 & 1, i >> 2); };
+    const auto corner = [&](int i) {
+      return at + side * Vec3{1.0 * (i & 1), 1.0 * (i >> 1 & 1), 1.0 * (i >> 2)};
+    };
     for (const auto& face : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
                              std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}})
       add_polygon(&scene, {corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3])});
