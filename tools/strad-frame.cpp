@@ -5,6 +5,7 @@
 #include "export/pov/write_pov.h"
 #include "frame/write_pictures.h"
 #include "tool.h"
+#include "tool_progress.h"
 
 namespace {
 
@@ -74,7 +75,7 @@ FrameTool parse_options(int argc, char** argv) {
 
 int write_frames(const FrameTool& tool) {
   refuse_terminal(tool.request.output);
-  const auto progress = progress_bar(tool.common);
+  const auto progress = progress_on_stderr(tool.common);
   if (tool.pov) {
     write_pov(tool.request, progress);
   } else if (tool.ply) {

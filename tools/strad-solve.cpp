@@ -4,6 +4,7 @@
 #include "solve/solve.h"
 #include "solve/stats_text.h"
 #include "tool.h"
+#include "tool_progress.h"
 
 namespace {
 
@@ -50,7 +51,7 @@ int solve(const SolveArguments& a) {
   stream.scene = strad::cut_under_walls(std::move(stream.scene));
   strad::SolveStats stats;
   strad::Solution solution;
-  solution.slabs.push_back(strad::solve(stream.scene, a.solve, &stats, strad::progress_bar(a.common)));
+  solution.slabs.push_back(strad::solve(stream.scene, a.solve, &stats, strad::progress_on_stderr(a.common)));
   strad::drop_work(&stream.others);
   stream.others.push_back(strad::encode_work(strad::work_of(solution.slabs.back(), stats)));
   stream.solution = std::move(solution);
