@@ -7,6 +7,7 @@
 #include <string>
 
 #include "frame/compare_frames.h"
+#include "frame/frame_request.h"
 #include "frame/frames_on_disk.h"
 #include "frame/solution_diff.h"
 #include "stream/chunk.h"
@@ -19,6 +20,7 @@ using namespace strad;
 constexpr int kDiffers = 1;
 
 struct DiffOptions {
+  Common common;
   FrameFiles files;
   std::string frames;
   std::optional<double> rel_rmse, largest, flicker, jump;
@@ -26,9 +28,8 @@ struct DiffOptions {
 
 DiffOptions parse_options(int argc, char** argv) {
   DiffOptions o;
-  Common common;
   Options options("strad-diff", "Difference of two pictures, two sequences of pictures or two solutions.",
-                  &common);
+                  &o.common);
   options.file("A", &o.files.a, "the reference: a picture, a pattern such as a.%04d.exr, or a stream", true);
   options.file("B", &o.files.b, "what is compared to it");
   options.number("--rel-rmse", "X", &o.rel_rmse, "fail when the RMSE over the mean of A is above X");
@@ -55,10 +56,9 @@ bool is_stream(const std::string& path) {
   return std::memcmp(magic, kMagic, sizeof magic) == 0;
 }
 
-Stream read_solved(const std::string& path) {
-  Stream stream = read_stream(path);
-  if (!stream.solution || stream.solution->slabs.empty())
-    throw BadInput(path + ": found no solution, expected what strad-solve writes");
+Stream read_told(const Common& common, const std::string& path) {
+  Stream stream = read_solved(path);
+  detail(common, stream_summary(path, stream));
   return stream;
 }
 
@@ -88,7 +88,12 @@ int verdict(const DiffOptions& o, const Comparison& c, std::optional<double> fli
 }
 
 int diff_frames(const DiffOptions& o) {
-  const FramesComparison c = compare_frames(o.files);
+  const auto tell = [&](const std::string& file, const Comparison& c) {
+    char text[120];
+    std::snprintf(text, sizeof text, ": rel_rmse %.4g, bias %.4g, max %.4g", rel_rmse(c), bias(c), c.largest);
+    detail(o.common, file + text);
+  };
+  const FramesComparison c = compare_frames(o.files, tell);
   if (o.flicker && !c.flicker_b) throw BadInput("--flicker: found no three consecutive frames");
   std::printf("frames %d\n", c.frames);
   print_comparison(c.total);
@@ -104,7 +109,7 @@ int diff_solutions(const DiffOptions& o) {
   if (o.flicker || !o.files.heat_map.empty() || !o.files.twin.empty() || !o.files.labels.empty() ||
       !o.frames.empty())
     throw BadInput(o.files.a + ": a solution, which only --rel-rmse and --max are for");
-  const Stream a = read_solved(o.files.a), b = read_solved(o.files.b);
+  const Stream a = read_told(o.common, o.files.a), b = read_told(o.common, o.files.b);
   const SolutionsComparison c =
       compare_solutions({o.files.a, a.scene, *a.solution}, {o.files.b, b.scene, *b.solution});
   print("begin", c.begin);
@@ -118,7 +123,7 @@ int diff_solutions(const DiffOptions& o) {
 }
 
 int print_jump(const DiffOptions& o) {
-  const Stream a = read_solved(o.files.a);
+  const Stream a = read_told(o.common, o.files.a);
   const Jump jump = jump_of({o.files.a, a.scene, *a.solution}, *o.jump);
   print("jump", jump.as_solved);
   print("jump_continuous", jump.continuous);

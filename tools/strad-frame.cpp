@@ -2,9 +2,11 @@
 #include <cmath>
 #include <optional>
 
-#include "export/write_frames.h"
-#include "frame/frame_list.h"
+#include "export/ply/write_ply.h"
+#include "export/pov/write_pov.h"
+#include "frame/write_pictures.h"
 #include "tool.h"
+#include "tool_progress.h"
 
 namespace {
 
@@ -34,7 +36,6 @@ void check_reference(const FrameTool& tool) {
 void check(const FrameTool& tool) {
   check_reference(tool);
   const FrameRequest& request = tool.request;
-  const bool to_files = !request.output.empty() && request.output != "-";
   if (!request.frames.empty() && !request.times.empty()) {
     throw BadInput("--frames and --time: found both, expected one of them");
   }
@@ -46,10 +47,11 @@ void check(const FrameTool& tool) {
   }
   if (!(std::abs(request.exposure) <= 64)) throw BadInput("--exposure: expected -64 to 64 stops");
   if (tool.pov && tool.ply) throw BadInput("--pov and --ply: found both, expected one of them");
-  if (request.pfm && (to_files || tool.pov || tool.ply)) {
+  if (request.pfm && (goes_to_files(request) || tool.pov || tool.ply)) {
     throw BadInput("--pfm: for pictures on standard output; a file's format follows from its name");
   }
-  if (tool.pov && !to_files) throw BadInput("--pov: expected -o PATTERN, such as -o 'frame.%04d.inc'");
+  if (tool.pov && !goes_to_files(request))
+    throw BadInput("--pov: expected -o PATTERN, such as -o 'frame.%04d.inc'");
 }
 
 FrameTool parse_options(int argc, char** argv) {
@@ -93,7 +95,7 @@ FrameTool parse_options(int argc, char** argv) {
 
 int write_frames(const FrameTool& tool) {
   refuse_terminal(tool.request.output);
-  const auto progress = progress_bar(tool.common);
+  const auto progress = progress_on_stderr(tool.common);
   if (tool.pov) {
     write_pov(tool.request, progress);
   } else if (tool.ply) {

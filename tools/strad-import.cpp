@@ -64,11 +64,8 @@ int import_scene(const ImportTool& tool) {
   stream.scene = is_pov(tool) ? import_pov(tool.path, tool.import, &report)
                               : import_obj(tool.path, tool.import, &report);
   for (const std::string& line : report.lines()) note(tool.common, line);
-  if (tool.common.verbose) {
-    note(tool.common, std::to_string(stream.scene.polygons.size()) + " polygons, " +
-                          std::to_string(stream.scene.objects.size()) + " objects, " +
-                          std::to_string(stream.scene.materials.size()) + " materials");
-  }
+  if (report.lines().empty()) detail(tool.common, "nothing was left out or changed");
+  detail(tool.common, stream_summary(tool.path, stream));
   write_stream(std::move(stream), tool.provenance, tool.common);
   return 0;
 }

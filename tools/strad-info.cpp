@@ -29,6 +29,7 @@ int tell(const InfoOptions& info) {
   StreamReader reader(info.stream);
   std::vector<ChunkFacts> chunks;
   const Stream stream = read_with_chunks(reader, &chunks);
+  detail(info.common, stream_summary(info.stream, stream));
   const Fact facts = describe(stream, chunks, info.chunks);
   Output output(info.common.output);
   output.write(info.json ? to_json(facts) : to_text(facts));

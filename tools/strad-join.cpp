@@ -27,6 +27,7 @@ int run(const JoinOptions& options) {
   StreamWriter writer([&output](ByteSpan bytes) { output.write(bytes); });
   join(options.streams, options.provenance, writer);
   output.commit();
+  detail(options.common, "joined " + std::to_string(options.streams.size()) + " streams");
   return 0;
 }
 

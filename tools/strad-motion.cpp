@@ -38,6 +38,7 @@ int compile_motion(const MotionArguments& arguments) {
     strad::note(arguments.common,
                 "the stream's solution is dropped, for the motion has changed: solve again");
   }
+  strad::detail(arguments.common, strad::stream_summary(arguments.motion, stream));
   strad::write_stream(std::move(stream), arguments.provenance, arguments.common);
   return 0;
 }

@@ -1,4 +1,5 @@
 // strad-probe: radiance and irradiance at points of surfaces over time, as a table.
+#include <cstdio>
 #include <optional>
 
 #include "base/text.h"
@@ -77,11 +78,22 @@ std::vector<double> times_of(const ProbeTool& tool, const SolutionFile& file) {
   return times;
 }
 
+// Where a point was put, and how far that is from the position asked for.
+std::string placement(const Scene& scene, const ProbeQuery& query, const ProbePoint& point, size_t i) {
+  const Vec3 at = point.rest_point;
+  char text[160];
+  std::snprintf(text, sizeof text, "point %zu: %.6g,%.6g,%.6g, %.3g m from the position asked for, on ", i,
+                at.x, at.y, at.z, length(at - query.position));
+  return text + scene.objects[scene.polygons[point.polygon].object].name;
+}
+
 int probe(const ProbeTool& tool) {
   SolutionFile file(tool.stream);
   const Scene& scene = file.scene();
   std::vector<ProbePoint> points;
   for (const ProbeQuery& query : tool.queries) points.push_back(nearest_point(scene, query));
+  for (size_t i = 0; i < points.size(); ++i)
+    detail(tool.common, placement(scene, tool.queries[i], points[i], i));
   Probe probe(scene, points, tool.probe);
   Output output(tool.common.output);
   output.write(probe_header());

@@ -3,6 +3,7 @@
 #include "solve/solve.h"
 #include "solve/stats_text.h"
 #include "tool.h"
+#include "tool_progress.h"
 
 namespace {
 
@@ -46,7 +47,7 @@ SolveArguments parse_arguments(int argc, char** argv) {
 int solve(const SolveArguments& a) {
   strad::refuse_terminal(a.common.output);
   strad::Stream stream = strad::read_stream(a.stream);
-  strad::Solved solved = strad::solve(std::move(stream.scene), a.solve, strad::progress_bar(a.common));
+  strad::Solved solved = strad::solve(std::move(stream.scene), a.solve, strad::progress_on_stderr(a.common));
   stream.scene = std::move(solved.scene);
   strad::drop_work(&stream.others);
   stream.others.push_back(strad::encode_work(solved.work));

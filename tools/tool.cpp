@@ -3,12 +3,9 @@
 
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
-#include <memory>
-#include <mutex>
 #include <new>
 
 namespace strad {
@@ -56,6 +53,25 @@ void note(const Common& common, const std::string& text) {
   if (!common.quiet) print_line(text);
 }
 
+void detail(const Common& common, const std::string& text) {
+  if (common.verbose) note(common, text);
+}
+
+std::string stream_summary(const std::string& name, const Stream& stream) {
+  const Scene& s = stream.scene;
+  std::string text = name.empty() || name == "-" ? "standard input" : name;
+  const auto add = [&](const char* between, size_t count, const char* what) {
+    text += between + std::to_string(count) + " " + what;
+  };
+  add(": ", s.polygons.size(), "polygons"), add(", ", s.objects.size(), "objects");
+  add(", ", s.materials.size(), "materials"), add(", ", s.textures.size(), "textures");
+  add(", ", s.bodies.size() - 1, "bodies"), add(", ", s.spots.size(), "spots");
+  add(", ", s.glows.size(), "glows"), add(", ", s.cameras.size(), "cameras");
+  add(", ", static_cast<size_t>(frame_count(s)), "frames");
+  if (stream.solution) add(", ", stream.solution->slabs.size(), "solved slabs");
+  return text;
+}
+
 void refuse_terminal(const std::string& output) {
   if ((output.empty() || output == "-") && ::isatty(STDOUT_FILENO) == 1)
     throw BadInput("standard output is a terminal, expected a pipe, a file or -o FILE");
@@ -68,47 +84,6 @@ void write_stream(Stream stream, const std::string& provenance, const Common& co
   StreamWriter writer([&output](ByteSpan bytes) { output.write(bytes); });
   write_stream(stream, writer);
   output.commit();
-}
-
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// Drawn after a second and then ten times a second; wiped at the end.
-class Bar {
- public:
-  ~Bar() {
-    if (drawn_) std::fputs("\r\33[K", stderr);
-  }
-
-  void draw(double fraction, const std::string& what) {
-    const std::lock_guard lock(mutex_);
-    const auto now = Clock::now();
-    if (now < next_) return;
-    next_ = now + std::chrono::milliseconds(100);
-    drawn_ = true;
-    constexpr int kWidth = 40;
-    const int filled = static_cast<int>(kWidth * std::min(std::max(fraction, 0.0), 1.0));
-    const std::string bar = std::string(static_cast<size_t>(filled), '#') +
-                            std::string(static_cast<size_t>(kWidth - filled), '.');
-    std::fprintf(stderr, "\r\33[K[%s] %3d %% %s", bar.c_str(), static_cast<int>(100 * fraction),
-                 what.c_str());
-    std::fflush(stderr);
-  }
-
- private:
-  std::mutex mutex_;
-  Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
-  bool drawn_ = false;
-};
-
-}  // namespace
-
-std::function<void(double, const std::string&)> progress_bar(const Common& common) {
-  if (common.quiet || ::isatty(STDERR_FILENO) != 1) return [](double, const std::string&) {};
-  return [bar = std::make_shared<Bar>()](double fraction, const std::string& what) {
-    bar->draw(fraction, what);
-  };
 }
 
 }  // namespace strad

@@ -1,4 +1,4 @@
-// What all tools share: exit statuses, streams in and out, progress.
+// What all tools share: exit statuses, streams in and out, notes.
 #pragma once
 
 #include <functional>
@@ -25,16 +25,17 @@ int run_tool(const std::string& name, const std::function<int()>& body);
 // One line "NAME: note" on standard error unless `common.quiet`. REQUIRES: inside run_tool.
 void note(const Common& common, const std::string& text);
 
+// The same for -v only.
+void detail(const Common& common, const std::string& text);
+
+// What a stream holds, for detail(): "NAME: 12 polygons, ...".
+std::string stream_summary(const std::string& name, const Stream& stream);
+
 // Reading is read_stream(path) of solution/stream_io.h. Writing appends `provenance` to the stream's, then
 // writes to common.output; throws BadInput rather than writing to a terminal.
 void write_stream(Stream stream, const std::string& provenance, const Common& common);
 
 // Throws BadInput when standard output is a terminal and `output` names it: for tools with binary output.
 void refuse_terminal(const std::string& output);
-
-// A bar on standard error for work longer than a second, only on a terminal. Copies share one bar;
-// thread-safe.
-//   solve(scene, options, &stats, progress_bar(common));
-std::function<void(double, const std::string&)> progress_bar(const Common& common);
 
 }  // namespace strad

@@ -117,7 +117,7 @@ std::vector<std::optional<int>> numbers_of(const FrameFiles& files) {
 
 }  // namespace
 
-FramesComparison compare_frames(const FrameFiles& files) {
+FramesComparison compare_frames(const FrameFiles& files, const SeePicture& see) {
   require_all_patterns(files);
   if (!files.heat_map.empty()) require_image_format(files.heat_map);
   FramesComparison result;
@@ -129,6 +129,7 @@ FramesComparison compare_frames(const FrameFiles& files) {
     std::rotate(last, last + 1, last + 3);
     FrameSet& frame = last[2] = load_frame(files, number);
     frames.push_back(compare(frame.a, frame.b, files.twin.empty() ? nullptr : &frame.twin, frame.left_out));
+    if (see) see(file_of(files.b, number), frames.back());
     if (frames.back().largest > largest) {
       largest = frames.back().largest;
       result.worst_file = file_of(files.b, number);

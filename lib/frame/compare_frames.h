@@ -1,6 +1,7 @@
 // Two pictures or two numbered sequences of them compared, file by file.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +29,10 @@ struct FramesComparison {
   std::optional<double> flicker_excess;  // of b - a
 };
 
+// Called with the file of `b` and the values of each pair of pictures.
+using SeePicture = std::function<void(const std::string&, const Comparison&)>;
+
 // Throws IoError or BadInput when a file is missing on either side, of another size, or not finite.
-FramesComparison compare_frames(const FrameFiles& files);
+FramesComparison compare_frames(const FrameFiles& files, const SeePicture& see = {});
 
 }  // namespace strad

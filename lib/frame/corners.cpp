@@ -5,8 +5,8 @@
 namespace strad {
 namespace {
 
-// Shadow rays of a corner to each area light at first: with those of its neighbours 36, few enough to pay and
-// enough to miss no shadow that matters.
+// Shadow rays of a corner to each emitter group at first: with those of its neighbours 36, few enough to pay
+// and enough to miss no shadow that matters.
 constexpr uint32_t kFirstRays = 4;
 // Free fractions of a pixel and around it differ by noise alone up to this, twice the noise of 64 rays.
 constexpr float kSmoothShadow = 0.04f;
@@ -20,22 +20,23 @@ uint32_t interleaved_set(int x, int y) {
   return (u & 1) | (v & 1) << 1 | (u & 2) << 1 | (v & 2) << 2;
 }
 
-Corners::Corners(const FrameView& view, TileRect rect) : view_(view), lights_(view.area_light_count) {
-  // Shadows of area lights look at one corner more around each pixel, whose own refinement looks at one more.
-  const int margin = lights_ > 0 ? 2 : 0;
+Corners::Corners(const FrameView& view, TileRect rect) : view_(view), groups_(view.group_count) {
+  // Shadows of emitter groups look at one corner more around each pixel, whose own refinement looks at one
+  // more.
+  const int margin = groups_ > 0 ? 2 : 0;
   left_ = static_cast<int>(rect.left) - margin;
   top_ = static_cast<int>(rect.top) - margin;
   right_ = static_cast<int>(rect.right) + 1 + margin;
   bottom_ = static_cast<int>(rect.bottom) + 1 + margin;
   columns_ = static_cast<size_t>(right_ - left_);
   take_samples();
-  if (lights_ > 0) refine_shadows();
+  if (groups_ > 0) refine_shadows();
 }
 
 void Corners::take_samples() {
   const size_t count = columns_ * static_cast<size_t>(bottom_ - top_);
   corners_.resize(count);
-  shares_.resize(count * lights_);
+  shares_.resize(count * groups_);
   for (int y = top_; y < bottom_; ++y) {
     for (int x = left_; x < right_; ++x) {
       const ShadowPoints points{kPenumbraRays * interleaved_set(x, y), kFirstRays};
@@ -49,7 +50,7 @@ bool Corners::neighbours_agree(int x, int y, size_t light) const {
   bool any_free = false, any_blocked = false;
   for (int v = y - 1; v <= y + 1; ++v) {
     for (int u = x - 1; u <= x + 1; ++u) {
-      const Shadow& shadow = shares(u, v)[light].shadow;
+      const ShadowRays& shadow = shares(u, v)[light].shadow;
       any_free |= shadow.free > 0;
       any_blocked |= shadow.free < shadow.rays;
     }
@@ -66,7 +67,7 @@ void Corners::refine_shadows() {
   std::vector<Uneven> uneven;
   for (int y = top_ + 1; y + 1 < bottom_; ++y) {
     for (int x = left_ + 1; x + 1 < right_; ++x) {
-      for (size_t l = 0; l < lights_; ++l) {
+      for (size_t l = 0; l < groups_; ++l) {
         if (!neighbours_agree(x, y, l)) uneven.push_back({x, y, l});
       }
     }
@@ -94,9 +95,9 @@ bool Corners::all_even_around(int x, int y) const {
   return true;
 }
 
-// Does a shadow of an area light begin and end within the pixel?
+// Does a shadow of an emitter group begin and end within the pixel?
 bool Corners::shadow_edge(int x, int y) const {
-  for (size_t l = 0; l < lights_; ++l) {
+  for (size_t l = 0; l < groups_; ++l) {
     float low = 1, high = 0;
     for (int k = 0; k < 4; ++k) {
       const float fraction = free_fraction(shares(x + (k & 1), y + (k >> 1))[l].shadow);
@@ -110,13 +111,13 @@ bool Corners::shadow_edge(int x, int y) const {
 // Free fraction of a light over a pixel: from all 16 corners around it where that differs from the pixel's
 // own four by no more than their noise, else from those four.
 float Corners::visible(int x, int y, size_t light) const {
-  Shadow near, wide;
-  const auto add = [](const Shadow& from, Shadow* to) { to->seen += from.seen, to->all += from.all; };
+  ShadowRays near, wide;
+  const auto add = [](const ShadowRays& from, ShadowRays* to) { to->seen += from.seen, to->all += from.all; };
   for (int v = y - 1; v <= y + 2; ++v) {
     for (int u = x - 1; u <= x + 2; ++u) {
-      const Shadow& shadow = shares(u, v)[light].shadow;
+      const ShadowRays& shadow = shares(u, v)[light].shadow;
       // Each corner counts the same, however many rays it sent.
-      const Shadow one{free_fraction(shadow), shadow.all > 0 ? 1.0f : 0.0f, 0, 0};
+      const ShadowRays one{free_fraction(shadow), shadow.all > 0 ? 1.0f : 0.0f, 0, 0};
       const bool inner = u >= x && u <= x + 1 && v >= y && v <= y + 1;
       if (inner) add(one, &near);
       if (inner || on_one_surface(view_, sample(x, y), sample(u, v))) add(one, &wide);
@@ -127,15 +128,15 @@ float Corners::visible(int x, int y, size_t light) const {
   return around + blend * (own - around);
 }
 
-// What area lights bring to a pixel, the mean of its corners.
-Rgb Corners::area_light(int x, int y) const {
-  if (lights_ == 0) return {};
+// What emitter groups bring to a pixel, the mean of its corners.
+Rgb Corners::emitted_light(int x, int y) const {
+  if (groups_ == 0) return {};
   const bool even = all_even_around(x, y);
   Rgb sum;
-  for (size_t l = 0; l < lights_; ++l) {
+  for (size_t l = 0; l < groups_; ++l) {
     const float shared = even ? 1 : visible(x, y, l);
     for (int k = 0; k < 4; ++k) {
-      const AreaShare& share = shares(x + (k & 1), y + (k >> 1))[l];
+      const GroupShare& share = shares(x + (k & 1), y + (k >> 1))[l];
       sum += (even ? free_fraction(share.shadow) : shared) * share.radiance;
     }
   }

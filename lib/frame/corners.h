@@ -12,7 +12,7 @@ struct TileRect {
   uint32_t left, top, right, bottom;  // pixels, right and bottom beyond the last
 };
 
-// Shadow rays of a corner to each area light where it or its neighbours disagree: 256 with those of the
+// Shadow rays of a corner to each emitter group where it or its neighbours disagree: 256 with those of the
 // corners around a pixel.
 constexpr uint32_t kPenumbraRays = 16;
 
@@ -27,25 +27,25 @@ class Corners {
   Corners(const FrameView& view, TileRect rect);
 
   const Sample& sample(int x, int y) const { return corners_[index(x, y)].sample; }
-  const AreaShare* shares(int x, int y) const { return shares_.data() + index(x, y) * lights_; }
+  const GroupShare* shares(int x, int y) const { return shares_.data() + index(x, y) * groups_; }
 
   // Of pixel (x, y): do its corners see one smooth surface under the same spots?
   bool surround_one_surface(int x, int y) const;
-  // Does a shadow of an area light begin and end within it?
+  // Does a shadow of an emitter group begin and end within it?
   bool shadow_edge(int x, int y) const;
-  // What area lights bring to it, the mean of its corners.
-  Rgb area_light(int x, int y) const;
+  // What emitter groups bring to it, the mean of its corners.
+  Rgb emitted_light(int x, int y) const;
 
  private:
   struct Corner {
     Sample sample;
-    bool even = true;  // each area light is free, or each ray to it is blocked
+    bool even = true;  // each emitter group is free, or each ray to it is blocked
   };
 
   size_t index(int x, int y) const {
     return static_cast<size_t>(y - top_) * columns_ + static_cast<size_t>(x - left_);
   }
-  AreaShare* shares(int x, int y) { return shares_.data() + index(x, y) * lights_; }
+  GroupShare* shares(int x, int y) { return shares_.data() + index(x, y) * groups_; }
   void take_samples();
   void refine_shadows();
   bool neighbours_agree(int x, int y, size_t light) const;
@@ -53,11 +53,11 @@ class Corners {
   float visible(int x, int y, size_t light) const;
 
   const FrameView& view_;
-  const size_t lights_;
+  const size_t groups_;
   int left_, top_, right_, bottom_;  // right and bottom beyond the last
   size_t columns_;
   std::vector<Corner> corners_;
-  std::vector<AreaShare> shares_;  // lights_ a corner
+  std::vector<GroupShare> shares_;  // groups_ a corner
 };
 
 }  // namespace strad

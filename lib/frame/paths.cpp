@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "light/spotlight.h"
+
 namespace strad {
 namespace {
 
@@ -22,7 +24,7 @@ Vec3 cosine_direction(Vec3 normal, Point2 at) {
 }  // namespace
 
 Paths::Paths(const Scene& scene, const Tracer& tracer, const Surfaces& surfaces)
-    : scene_(scene), tracer_(tracer), surfaces_(surfaces) {
+    : scene_(scene), tracer_(tracer), surfaces_(surfaces), cones_(cones_of(scene.spots)) {
   double sum = 0;
   for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
     const Polygon& polygon = scene.polygons[p];
@@ -39,17 +41,12 @@ Paths::Paths(const Scene& scene, const Tracer& tracer, const Surfaces& surfaces)
       up_to_.push_back(sum);
     }
   }
-  for (Emitter& emitter : emitters_) emitter.probability /= sum;
+  for (EmittingTriangle& emitter : emitters_) emitter.probability /= sum;
 }
 
 Rgb Paths::unoccluded(const Instant& instant, const SurfacePoint& point, size_t s) const {
   const SpotState& spot = instant.spots[s];
-  const Vec3 to_spot = spot.position - point.position;
-  const double cos_point = dot(to_spot, point.normal);  // times the distance
-  if (!(cos_point > 0)) return {};
-  const double distance2 = length2(to_spot), distance = std::sqrt(distance2);
-  const double falloff = spot_falloff(scene_.spots[s], -dot(to_spot, spot.direction) / distance);
-  return static_cast<float>(falloff * cos_point / (distance2 * distance)) * spot.intensity;
+  return static_cast<float>(spot_irradiance(cones_[s], spot, point)) * spot.intensity;
 }
 
 // One spot, chosen in proportion to what it brings if nothing is between.
@@ -82,7 +79,7 @@ Paths::Candidate Paths::draw_emitter(const Instant& instant, const SurfacePoint&
                                      PathRandom* random) const {
   const double target = random->next() * up_to_.back(), root = std::sqrt(random->next()), v = random->next();
   const auto chosen = std::upper_bound(up_to_.begin(), up_to_.end() - 1, target);
-  const Emitter& emitter = emitters_[static_cast<size_t>(chosen - up_to_.begin())];
+  const EmittingTriangle& emitter = emitters_[static_cast<size_t>(chosen - up_to_.begin())];
   if (emitter.polygon == point.polygon) return {};
   const Polygon& polygon = scene_.polygons[emitter.polygon];
   const Pose& pose = instant.world_from_body[body_of(scene_, polygon)];

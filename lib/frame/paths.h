@@ -6,7 +6,7 @@
 
 #include "base/rng.h"
 #include "frame/surfaces.h"
-#include "light/direct.h"
+#include "light/spotlight.h"
 #include "light/tracer.h"
 
 namespace strad {
@@ -49,14 +49,15 @@ class Paths {
   const Scene& scene_;
   const Tracer& tracer_;
   const Surfaces& surfaces_;
+  std::vector<SpotCone> cones_;
   // Triangles of emitting polygons, rest, and the running sum of their area times emission.
-  struct Emitter {
+  struct EmittingTriangle {
     Vec3 corners[3];
     Vec3 normal;
     double area = 0, probability = 0;
     uint32_t polygon = kNone;
   };
-  std::vector<Emitter> emitters_;
+  std::vector<EmittingTriangle> emitters_;
   std::vector<double> up_to_;
 };
 

@@ -8,7 +8,7 @@
 namespace strad {
 namespace {
 
-constexpr uint32_t kShadowRays = 1024;  // to each area light: steps of a thousandth while a shadow passes
+constexpr uint32_t kShadowRays = 1024;  // to each emitter group: steps of a thousandth while a shadow passes
 
 // Nearest point of a triangle (Ericson 2004, "Real-Time Collision Detection", 5.1.5).
 Vec3 nearest_on_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
@@ -71,7 +71,7 @@ Probe::Probe(const Scene& scene, std::vector<ProbePoint> points, const ProbeOpti
       options_(options),
       tracer_(scene),
       surfaces_(scene, tracer_),
-      lights_(area_lights(scene)) {}
+      groups_(emitter_groups(scene)) {}
 Probe::~Probe() = default;
 
 void Probe::prepare(const Slab& slab) {
@@ -103,22 +103,22 @@ Rgb Probe::solved(const Slab& slab, size_t i, double time) const {
 }
 
 Rgb Probe::direct(const LitInstant& lit, const SurfacePoint& point) const {
-  uint64_t reached = 0;
-  Rgb sum = spot_irradiance(scene_, tracer_, lit, point, &reached);
-  AreaView view;
-  for (size_t l = 0; l < lights_.size(); ++l) {
+  SpotRays spot_rays;
+  Rgb sum = spots_irradiance(tracer_, lit.cones, lit.instant, point, &spot_rays);
+  UnoccludedIrradiance unoccluded;
+  for (size_t l = 0; l < groups_.size(); ++l) {
     if (is_black(lit.radiance[l])) continue;
-    look_at(lit.emitters[l], point, &view);
-    Shadow shadow;
-    add_shadow_rays(tracer_, lit, lit.emitters[l], point, view, 0, kShadowRays, &shadow);
-    sum += static_cast<float>(view.irradiance) * free_fraction(shadow) * lit.radiance[l];
+    find_unoccluded(lit.emitters[l], point, &unoccluded);
+    ShadowRays shadow;
+    add_shadow_rays(tracer_, lit, lit.emitters[l], point, unoccluded, 0, kShadowRays, &shadow);
+    sum += static_cast<float>(unoccluded.total) * free_fraction(shadow) * lit.radiance[l];
   }
   return sum;
 }
 
 std::vector<ProbeValue> Probe::at(const Slab& slab, double time) {
   prepare(slab);
-  const LitInstant lit = lit_instant(scene_, lights_, time);
+  const LitInstant lit = lit_instant(scene_, groups_, time);
   std::vector<ProbeValue> values(points_.size());
   parallel_for(values.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/lights.h"
+#include "frame/emitter_groups.h"
 #include "frame/reconstruction.h"
 #include "frame/surfaces.h"
 #include "light/tracer.h"
@@ -67,7 +67,7 @@ class Probe {
   const ProbeOptions options_;
   Tracer tracer_;
   Surfaces surfaces_;
-  std::vector<AreaLight> lights_;
+  std::vector<EmitterGroup> groups_;
   std::vector<std::vector<VertexWeight>> sources_;  // per point, in the mesh of the slab prepared last
   const Slab* prepared_ = nullptr;
   double prepared_begin_ = 0;

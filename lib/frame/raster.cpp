@@ -41,7 +41,7 @@ void check(const RasterOptions& options) {
 }  // namespace
 
 Raster::Raster(const Scene& scene)
-    : scene_(scene), tracer_(scene), surfaces_(scene, tracer_), lights_(area_lights(scene)) {}
+    : scene_(scene), tracer_(scene), surfaces_(scene, tracer_), groups_(emitter_groups(scene)) {}
 Raster::~Raster() = default;
 
 const Reconstruction& Raster::reconstruction_for(const Slab& slab) {
@@ -60,9 +60,9 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
   const double end =
       std::min(time + options.shutter, slab_end(slab));  // beyond, the light is not this slab's
   const FrameLight light(slab, reconstruction_for(slab), time, end, {!trace_direct, options.flat});
-  FrameView view{scene_, tracer_, surfaces_, light, {}, {}, trace_direct ? lights_.size() : 0, trace_direct};
+  FrameView view{scene_, tracer_, surfaces_, light, {}, {}, trace_direct ? groups_.size() : 0, trace_direct};
   for (const double instant : exposure_times(time, options.shutter)) {
-    view.instants.push_back(lit_instant(scene_, lights_, instant));
+    view.instants.push_back(lit_instant(scene_, groups_, instant));
     view.cameras.emplace_back(camera_at(camera, instant), options.width, options.height);
   }
   Image image(options.width, options.height);

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "frame/emitter_groups.h"
 #include "frame/frame_light.h"
-#include "frame/lights.h"
 #include "frame/surfaces.h"
 #include "image/image.h"
 #include "light/tracer.h"
@@ -48,7 +48,7 @@ class Raster {
   const Scene& scene_;
   Tracer tracer_;
   Surfaces surfaces_;
-  std::vector<AreaLight> lights_;
+  std::vector<EmitterGroup> groups_;
   std::unique_ptr<Reconstruction> reconstruction_;  // of the last slab
   const Slab* reconstructed_ = nullptr;
   double reconstructed_begin_ = 0;

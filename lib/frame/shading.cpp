@@ -29,13 +29,13 @@ Sight look(const FrameView& view, size_t instant, double x, double y) {
 }
 
 Sample take_sample(const FrameView& view, size_t instant, double x, double y, ShadowPoints points,
-                   AreaShare* shares) {
+                   GroupShare* shares) {
   return shade(view, instant, look(view, instant, x, y), points, shares);
 }
 
 Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPoints points,
-             AreaShare* shares) {
-  std::fill(shares, shares + view.area_light_count, AreaShare{});
+             GroupShare* shares) {
+  std::fill(shares, shares + view.group_count, GroupShare{});
   const LitInstant& lit = view.instants[instant];
   Sample sample;
   sample.point = sight.point;
@@ -43,38 +43,39 @@ Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPo
   sample.base = sight.emission;
   if (sight.point.polygon == kNone || is_black(sight.reflectance)) return sample;
   Rgb irradiance = view.light.irradiance(sight.point.polygon, sight.front, sight.at, &sample.leaf);
+  SpotRays spot_rays;
   if (view.trace_direct)
-    irradiance += spot_irradiance(view.scene, view.tracer, lit, sight.point, &sample.spots);
+    irradiance += spots_irradiance(view.tracer, lit.cones, lit.instant, sight.point, &spot_rays);
+  sample.spots = spot_rays.reached;
   sample.base += reflected(sight, irradiance);
-  thread_local AreaView area;
-  for (size_t l = 0; l < view.area_light_count; ++l) {
+  thread_local UnoccludedIrradiance unoccluded;
+  for (size_t l = 0; l < view.group_count; ++l) {
     if (is_black(lit.radiance[l])) continue;
-    look_at(lit.emitters[l], sight.point, &area);
-    shares[l].irradiance = area.irradiance;
-    shares[l].radiance = static_cast<float>(area.irradiance) * reflected(sight, lit.radiance[l]);
-    add_shadow_rays(view.tracer, lit, lit.emitters[l], sight.point, area, points.first, points.count,
+    find_unoccluded(lit.emitters[l], sight.point, &unoccluded);
+    shares[l].irradiance = unoccluded.total;
+    shares[l].radiance = static_cast<float>(unoccluded.total) * reflected(sight, lit.radiance[l]);
+    add_shadow_rays(view.tracer, lit, lit.emitters[l], sight.point, unoccluded, points.first, points.count,
                     &shares[l].shadow);
   }
   return sample;
 }
 
 void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t light,
-                     ShadowPoints points, AreaShare* share) {
+                     ShadowPoints points, GroupShare* share) {
   const LitInstant& lit = view.instants[instant];
-  thread_local AreaView area;
+  thread_local UnoccludedIrradiance unoccluded;
   if (lit.emitters[light].size() == 1) {
-    area = {share->irradiance, {share->irradiance}};
+    unoccluded = {share->irradiance, {share->irradiance}};
   } else {
-    look_at(lit.emitters[light], sample.point, &area);
+    find_unoccluded(lit.emitters[light], sample.point, &unoccluded);
   }
-  add_shadow_rays(view.tracer, lit, lit.emitters[light], sample.point, area, points.first, points.count,
+  add_shadow_rays(view.tracer, lit, lit.emitters[light], sample.point, unoccluded, points.first, points.count,
                   &share->shadow);
 }
 
-Rgb radiance(const FrameView& view, const Sample& sample, const AreaShare* shares) {
+Rgb radiance(const FrameView& view, const Sample& sample, const GroupShare* shares) {
   Rgb sum = sample.base;
-  for (size_t l = 0; l < view.area_light_count; ++l)
-    sum += free_fraction(shares[l].shadow) * shares[l].radiance;
+  for (size_t l = 0; l < view.group_count; ++l) sum += free_fraction(shares[l].shadow) * shares[l].radiance;
   return sum;
 }
 
@@ -91,8 +92,8 @@ bool alike(const FrameView& view, const Sample& a, const Sample& b) {
   return on_one_surface(view, a, b) && a.leaf == b.leaf && a.spots == b.spots;
 }
 
-bool evenly_lit(const FrameView& view, const AreaShare* shares) {
-  return std::all_of(shares, shares + view.area_light_count, [](const AreaShare& share) {
+bool evenly_lit(const FrameView& view, const GroupShare* shares) {
+  return std::all_of(shares, shares + view.group_count, [](const GroupShare& share) {
     return share.shadow.free == 0 || share.shadow.free == share.shadow.rays;
   });
 }

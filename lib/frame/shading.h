@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "frame/camera.h"
+#include "frame/emitter_groups.h"
 #include "frame/frame_light.h"
-#include "frame/lights.h"
 #include "frame/surfaces.h"
 
 namespace strad {
@@ -19,15 +19,15 @@ struct FrameView {
   const FrameLight& light;
   std::vector<CameraRays> cameras;   // one an instant
   std::vector<LitInstant> instants;  // of the exposure, evenly spread; one where the shutter is not open
-  size_t area_light_count = 0;       // 0 also where direct light comes from the mesh
+  size_t group_count = 0;            // 0 also where direct light comes from the mesh
   bool trace_direct = true;
 };
 
-// Area light on its way to a sample, before what stands between is taken off.
-struct AreaShare {
+// Light of an emitter group on its way to a sample, before what stands between is taken off.
+struct GroupShare {
   Rgb radiance;           // what it would add to the sample's
-  double irradiance = 0;  // of an AreaView
-  Shadow shadow;          // what the rays so far say
+  double irradiance = 0;  // of an UnoccludedIrradiance
+  ShadowRays shadow;      // what the rays so far say
 };
 
 struct Sample {
@@ -35,10 +35,10 @@ struct Sample {
   bool front = true;
   uint32_t leaf = kNone;  // of the mesh, where elements show
   uint64_t spots = 0;     // which of them reach the point
-  Rgb base;               // radiance of all but area lights
+  Rgb base;               // radiance of all but emitter groups
 };
 
-// Points [first, first + count) of the area lights' sequences.
+// Points [first, first + count) of the groups' sequences.
 struct ShadowPoints {
   uint32_t first = 0, count = 0;
 };
@@ -46,20 +46,20 @@ struct ShadowPoints {
 // What is seen through (x, y), pixels, at an instant.
 Sight look(const FrameView& view, size_t instant, double x, double y);
 
-// Its light. `shares`: area_light_count of them, filled here with the shadow rays to `points`.
+// Its light. `shares`: group_count of them, filled here with the shadow rays to `points`.
 Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPoints points,
-             AreaShare* shares);
+             GroupShare* shares);
 
 // Both: a sample through (x, y).
 Sample take_sample(const FrameView& view, size_t instant, double x, double y, ShadowPoints points,
-                   AreaShare* shares);
+                   GroupShare* shares);
 
 // Adds shadow rays to share `light` of a sample.
 void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t light,
-                     ShadowPoints points, AreaShare* share);
+                     ShadowPoints points, GroupShare* share);
 
 // Radiance of a sample, all light together.
-Rgb radiance(const FrameView& view, const Sample& sample, const AreaShare* shares);
+Rgb radiance(const FrameView& view, const Sample& sample, const GroupShare* shares);
 
 // Do both lie on one smooth surface, on the same side?
 bool on_one_surface(const FrameView& view, const Sample& a, const Sample& b);
@@ -70,7 +70,7 @@ bool alike(const FrameView& view, const Sample& a, const Sample& b);
 // Does its reflectance come from a texture?
 bool textured(const FrameView& view, const Sample& sample);
 
-// Is each area light seen by all of the shadow rays to it, or by none?
-bool evenly_lit(const FrameView& view, const AreaShare* shares);
+// Is each emitter group seen by all of the shadow rays to it, or by none?
+bool evenly_lit(const FrameView& view, const GroupShare* shares);
 
 }  // namespace strad

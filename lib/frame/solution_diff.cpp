@@ -25,7 +25,7 @@ void mark_lit(const Solution& solution, std::vector<bool>* lit) {
 
 // Where the samples lie in a slab's mesh; an element of kNone on sides that stay dark.
 std::vector<MeshPoint> locate_all(const Scene& scene, const Mesh& mesh,
-                                  const std::vector<SurfaceSample>& samples) {
+                                  const std::vector<RestSample>& samples) {
   std::vector<MeshPoint> points(samples.size());
   for (size_t i = 0; i < samples.size(); ++i) {
     const uint32_t face = mesh.face_of_side[2 * samples[i].polygon + samples[i].side];
@@ -84,7 +84,7 @@ std::string seconds_text(double begin, double end) {
 
 }  // namespace
 
-Image radiance_of(const Scene& scene, const Solution& solution, const std::vector<SurfaceSample>& samples,
+Image radiance_of(const Scene& scene, const Solution& solution, const std::vector<RestSample>& samples,
                   const std::vector<double>& times, bool continuous) {
   Image image(static_cast<uint32_t>(times.size()), static_cast<uint32_t>(samples.size()));
   const std::vector<Rgb> reflectances = textured_reflectances(scene);
@@ -119,12 +119,12 @@ SolutionsComparison compare_solutions(const NamedSolution& a, const NamedSolutio
   std::vector<bool> lit(2 * a.scene.polygons.size());
   mark_lit(a.solution, &lit);
   mark_lit(b.solution, &lit);
-  const std::vector<SurfaceSample> samples = surface_samples(a.scene, lit, kPoints);
+  const std::vector<RestSample> samples = surface_samples(a.scene, lit, kPoints);
   const std::vector<double> times = dates_in(result.begin, result.end);
   result.total = compare(radiance_of(a.scene, a.solution, samples, times),
                          radiance_of(b.scene, b.solution, samples, times));
   if (samples.empty()) return result;
-  const SurfaceSample& worst = samples[result.total.worst.y];
+  const RestSample& worst = samples[result.total.worst.y];
   result.object = a.scene.objects[a.scene.polygons[worst.polygon].object].name;
   result.rest_point = worst.rest_point;
   result.time = times[result.total.worst.x];
@@ -139,7 +139,7 @@ Jump jump_of(const NamedSolution& of, double time) {
   const double step = kOneSided * (end - begin);
   std::vector<bool> lit(2 * of.scene.polygons.size());
   mark_lit(of.solution, &lit);
-  const std::vector<SurfaceSample> samples = surface_samples(of.scene, lit, kPoints);
+  const std::vector<RestSample> samples = surface_samples(of.scene, lit, kPoints);
   const auto jump = [&](bool continuous) {
     const Image before = radiance_of(of.scene, of.solution, samples, {time - step}, continuous);
     return rel_rmse(compare(before, radiance_of(of.scene, of.solution, samples, {time + step}, continuous)));

@@ -12,7 +12,7 @@
 namespace strad {
 
 // Radiance in W / (sr m^2): the pixel (x, y) is that of samples[y] at times[x], which ascend.
-Image radiance_of(const Scene& scene, const Solution& solution, const std::vector<SurfaceSample>& samples,
+Image radiance_of(const Scene& scene, const Solution& solution, const std::vector<RestSample>& samples,
                   const std::vector<double>& times, bool continuous = true);
 
 struct NamedSolution {

@@ -46,12 +46,11 @@ Vec3 point_in(const Stretch& triangle, Point2 p) {
 
 }  // namespace
 
-std::vector<SurfaceSample> surface_samples(const Scene& scene, const std::vector<bool>& wanted,
-                                           uint32_t count) {
+std::vector<RestSample> surface_samples(const Scene& scene, const std::vector<bool>& wanted, uint32_t count) {
   Stretches stretches;
   for (uint32_t i = 0; i < wanted.size(); ++i)
     if (wanted[i]) stretches.add(scene, i / 2, i % 2);
-  std::vector<SurfaceSample> samples;
+  std::vector<RestSample> samples;
   if (!(stretches.area() > 0)) return samples;
   for (uint32_t i = 0; i < count; ++i) {
     const Stretch& triangle = stretches.at((i + 0.5) / count * stretches.area());

@@ -8,7 +8,7 @@
 
 namespace strad {
 
-struct SurfaceSample {
+struct RestSample {
   uint32_t polygon = 0;
   uint32_t side = 0;  // 0 front, 1 back
   Vec3 rest_point;
@@ -16,7 +16,6 @@ struct SurfaceSample {
 
 // `count` points in order of polygons, as many a side as its area asks for, of the sides with
 // wanted[2 * polygon + side]. Empty when their area is zero.
-std::vector<SurfaceSample> surface_samples(const Scene& scene, const std::vector<bool>& wanted,
-                                           uint32_t count);
+std::vector<RestSample> surface_samples(const Scene& scene, const std::vector<bool>& wanted, uint32_t count);
 
 }  // namespace strad

@@ -19,7 +19,7 @@ constexpr float kEvenContrast = 0.03f, kTextureContrast = 0.05f, kSmoothBend = 0
 // spread evenly is about the deviation over n^(3/4), here 2 % at 16 samples.
 constexpr uint32_t kFewSamples = 4, kMostDoublings = 3;
 constexpr float kUsualDeviation = 0.14f;
-// Shadow rays to each area light from each of the few, the usual and the many samples.
+// Shadow rays to each emitter group from each of the few, the usual and the many samples.
 constexpr uint32_t kRaysOfFew = 4, kRaysOfUsual = 2, kRaysOfMany = 1;
 
 uint64_t pixel_seed(int x, int y) { return hash_of(static_cast<uint32_t>(x), static_cast<uint32_t>(y)); }
@@ -32,7 +32,7 @@ constexpr uint32_t kKnownAfter = 8;
 class SeenSides {
  public:
   void clear() { sides_.clear(); }
-  // `even`: neither textured nor in the penumbra of an area light.
+  // `even`: neither textured nor in the penumbra of an emitter group.
   void add(const Sample& sample, bool even) { noted(sample, even); }
   void add(const Sample& sample, bool even, Rgb radiance) {
     Side& side = noted(sample, even);
@@ -75,7 +75,7 @@ struct PixelSum {
   Rgb sum;
   float luminance_squares = 0;
   uint32_t count = 0;
-  uint32_t shadow_points = 0;  // of each area light, used so far
+  uint32_t shadow_points = 0;  // of each emitter group, used so far
 
   void add(Rgb radiance) {
     sum += radiance;
@@ -105,22 +105,19 @@ float contrast(Rgb a, Rgb b) {
 class PixelRenderer {
  public:
   PixelRenderer(const FrameView& view, int samples, const std::optional<Corners>& corners)
-      : view_(view),
-        samples_(static_cast<uint32_t>(samples)),
-        corners_(corners),
-        shares_(view.area_light_count) {}
+      : view_(view), samples_(static_cast<uint32_t>(samples)), corners_(corners), shares_(view.group_count) {}
 
   Rgb pixel(int x, int y) {
     if (samples_ == 1) return middle(x, y);
     if (corners_ && corners_->surround_one_surface(x, y) && !corners_->shadow_edge(x, y)) {
-      if (const std::optional<Rgb> base = smooth_base(x, y)) return *base + corners_->area_light(x, y);
+      if (const std::optional<Rgb> base = smooth_base(x, y)) return *base + corners_->emitted_light(x, y);
     }
     return inside(x, y);
   }
 
  private:
   std::optional<Rgb> smooth_base(int x, int y);
-  bool is_even(const Sample& sample, const AreaShare* shares) const {
+  bool is_even(const Sample& sample, const GroupShare* shares) const {
     return evenly_lit(view_, shares) && !textured(view_, sample);
   }
   void sample_inside(int x, int y, uint32_t count, uint32_t rays, PixelSum* sum);
@@ -130,11 +127,11 @@ class PixelRenderer {
   const FrameView& view_;
   const uint32_t samples_;
   const std::optional<Corners>& corners_;
-  std::vector<AreaShare> shares_;  // of the sample at hand
-  SeenSides seen_;                 // by the pixel at hand
+  std::vector<GroupShare> shares_;  // of the sample at hand
+  SeenSides seen_;                  // by the pixel at hand
 };
 
-// The mean over a pixel whose corners are alike of all but area lights, if few samples tell it.
+// The mean over a pixel whose corners are alike of all but emitter groups, if few samples tell it.
 std::optional<Rgb> PixelRenderer::smooth_base(int x, int y) {
   Rgb low = corners_->sample(x, y).base, high = low, sum;
   for (int k = 0; k < 4; ++k) {
@@ -154,7 +151,7 @@ std::optional<Rgb> PixelRenderer::smooth_base(int x, int y) {
 }
 
 // Adds samples of a pixel until there are `count`, spread evenly over its area and the instants, each with
-// `rays` shadow rays to each area light.
+// `rays` shadow rays to each emitter group.
 void PixelRenderer::sample_inside(int x, int y, uint32_t count, uint32_t rays, PixelSum* sum) {
   const uint64_t seed = pixel_seed(x, y);
   const size_t instants = view_.instants.size();

@@ -8,57 +8,29 @@
 namespace strad {
 namespace {
 
-// Corners of the part of the polygon above the horizon of `point`, relative to it; at most one corner more.
-int clip_to_horizon(Vec3 point, Vec3 normal, const Vec3* corners, int count, Vec3* clipped) {
-  int kept = 0;
-  for (int i = 0; i < count; ++i) {
-    const Vec3 a = corners[i] - point, b = corners[(i + 1) % count] - point;
-    const double ha = dot(a, normal), hb = dot(b, normal);
-    if (ha > 0) clipped[kept++] = a;
-    if ((ha > 0) != (hb > 0)) clipped[kept++] = lerp(a, b, ha / (ha - hb));
-  }
-  return kept;
-}
-
 // With more emitters than this above the horizon, those that give less than their share of all are faint.
 constexpr int kFew = 48;
 
+// An emitter gets all its samples where it likely gives one part in this many of the irradiance, or more.
+constexpr double kFullAt = 8;
+
+// Random draws from the faint emitters, relative to the samples of one emitter that gave as much.
+constexpr int kFaintGain = 4;
+
+// Keys of random numbers of the draws from faint emitters.
+constexpr uint64_t kKeyOfFirst = 7, kKeyOfU = 8, kKeyOfV = 9;
+
+bool is_above_horizon(const Emitter& emitter, const SurfacePoint& point) {
+  double highest = -1;
+  for (int c = 0; c < emitter.count; ++c)
+    highest = std::max(highest, dot(emitter.corners[c] - point.position, point.normal));
+  return highest > 0;
+}
+
 }  // namespace
 
-Instant instant_at(const Scene& scene, double time) {
-  Instant instant;
-  instant.time = time;
-  instant.world_from_body = poses_at(scene, time);
-  for (const Spot& spot : scene.spots)
-    instant.spots.push_back(spot_at(scene, spot, instant.world_from_body, time));
-  instant.glow = glow_at(scene, time);
-  return instant;
-}
-
-double unit_irradiance(Vec3 point, Vec3 normal, const Vec3* corners, int count) {
-  Vec3 v[8];
-  count = clip_to_horizon(point, normal, corners, count, v);
-  if (count < 3) return 0;
-  for (int i = 0; i < count; ++i) v[i] = normalized(v[i]);
-  Vec3 sum;
-  for (int i = 0; i < count; ++i) {
-    const Vec3 c = cross(v[i], v[(i + 1) % count]);
-    const double sine = length(c);
-    if (!(sine > 1e-12)) continue;
-    sum += (std::atan2(sine, dot(v[i], v[(i + 1) % count])) / sine) * c;
-  }
-  return std::clamp(0.5 * std::abs(dot(sum, normal)), 0.0, kPi);
-}
-
-double spot_falloff(const Spot& spot, double cos_theta) {
-  const double low = std::cos(spot.outer), high = std::cos(spot.inner);
-  if (!(cos_theta > low)) return 0;
-  if (cos_theta >= high) return 1;
-  const double s = (cos_theta - low) / (high - low);
-  return s * s * (3 - 2 * s);
-}
-
-DirectLight::DirectLight(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer_(tracer) {
+DirectLight::DirectLight(const Scene& scene, const Tracer& tracer)
+    : scene_(scene), tracer_(tracer), cones_(cones_of(scene.spots)) {
   for (uint32_t p = 0; p < scene.polygons.size(); ++p)
     if (emits(scene, scene.polygons[p])) emitters_.push_back(p);
   const std::vector<bool> moving = moving_bodies(scene);
@@ -66,139 +38,113 @@ DirectLight::DirectLight(const Scene& scene, const Tracer& tracer) : scene_(scen
   std::stable_partition(emitters_.begin(), emitters_.end(), [&](uint32_t p) { return !moves(p); });
   const std::vector<Pose> poses = poses_at(scene, scene.start);
   for (const uint32_t p : emitters_)
-    if (!moves(p)) still_.push_back(emitter_at(p, poses));
-  for (const Spot& spot : scene.spots) cos_outer_.push_back(std::cos(spot.outer));
-}
-
-DirectLight::Emitter DirectLight::emitter_at(uint32_t p, const std::vector<Pose>& world_from_body) const {
-  const Polygon& polygon = scene_.polygons[p];
-  const Pose& pose = world_from_body[body_of(scene_, polygon)];
-  Emitter e;
-  e.count = polygon.corner_count();
-  for (int c = 0; c < e.count; ++c) {
-    e.corners[c] = pose * scene_.vertices[polygon.corners[c]];
-    e.centre += e.corners[c] / e.count;
-  }
-  const Vec3 doubled = e.count == 4 ? cross(e.corners[2] - e.corners[0], e.corners[3] - e.corners[1])
-                                    : cross(e.corners[1] - e.corners[0], e.corners[2] - e.corners[0]);
-  e.area = length(doubled) / 2;
-  e.normal = normalized(doubled);
-  return e;
-}
-
-// The point at (u, v) of the unit square, which is mapped bilinearly or folded onto a triangle, as one of
-// unit weight for all the area.
-EmitterSample DirectLight::sample_at(const Emitter& e, const SurfacePoint& point, double u, double v) const {
-  const double root = std::sqrt(u);  // uniform by area (Turk 1990)
-  const Vec3 y = e.count == 4
-                     ? lerp(lerp(e.corners[0], e.corners[1], u), lerp(e.corners[3], e.corners[2], u), v)
-                     : (1 - root) * e.corners[0] + root * (1 - v) * e.corners[1] + root * v * e.corners[2];
-  const Vec3 to = y - point.position;
-  const double cos_receiver = dot(to, point.normal), cos_emitter = -dot(to, e.normal);
-  if (!(cos_receiver > 0) || !(cos_emitter > 0)) return {};
-  const double distance2 = length2(to);
-  return {y + tracer_.offset() * e.normal,
-          static_cast<float>(cos_receiver * cos_emitter * e.area / (distance2 * distance2)), 0};
+    if (!moves(p)) still_.push_back(emitter_at(scene, p, poses));
 }
 
 Rgb DirectLight::spots(const Instant& instant, const SurfacePoint& point, uint64_t* rays) const {
-  const Vec3 lifted = point.position + tracer_.offset() * point.normal;
-  Rgb sum;
-  for (size_t s = 0; s < scene_.spots.size(); ++s) {
-    const SpotState& spot = instant.spots[s];
-    const Vec3 to_spot = spot.position - point.position;
-    const double distance2 = length2(to_spot);
-    const double cos_receiver = dot(to_spot, point.normal);  // times the distance
-    if (!(cos_receiver > 0)) continue;
-    const double distance = std::sqrt(distance2);
-    const double cos_spot = -dot(to_spot, spot.direction) / distance;
-    if (!(cos_spot > cos_outer_[s])) continue;
-    const double falloff = spot_falloff(scene_.spots[s], cos_spot);
-    if (!(falloff > 0)) continue;
-    ++*rays;
-    if (tracer_.occluded(instant.world_from_body, lifted, spot.position)) continue;
-    sum += static_cast<float>(falloff * cos_receiver / (distance2 * distance)) * spot.intensity;
-  }
+  SpotRays spot_rays;
+  const Rgb sum = spots_irradiance(tracer_, cones_, instant, point, &spot_rays);
+  *rays += spot_rays.traced;
   return sum;
+}
+
+// From the distance of the middle and the radius, so that near emitters count although their middle may lie
+// below the horizon.
+double DirectLight::likely_irradiance(const Emitter& e, const Instant& instant,
+                                      const SurfacePoint& point) const {
+  const uint32_t material = scene_.polygons[e.polygon].material;
+  const Vec3 to = e.centre - point.position;
+  const double radius2 = length2(e.corners[0] - e.centre), distance2 = length2(to) + radius2;
+  const double cosines = (std::max(0.0, dot(to, point.normal)) + std::sqrt(radius2)) *
+                         (std::max(0.0, -dot(to, e.normal)) + std::sqrt(radius2)) / distance2;
+  return max_channel(scene_.materials[material].emission) * instant.glow[material] * std::min(1.0, cosines) *
+         e.area / distance2;
+}
+
+DirectLight::Candidates DirectLight::candidates_for(const Instant& instant, const SurfacePoint& point,
+                                                    Which which) const {
+  Candidates candidates;
+  const size_t first = which == Which::kMoving ? still_.size() : 0;
+  const size_t end = which == Which::kStill ? still_.size() : emitters_.size();
+  for (size_t i = first; i < end; ++i) {
+    const uint32_t material = scene_.polygons[emitters_[i]].material;
+    if (emitters_[i] == point.polygon || instant.glow[material] == 0) continue;
+    const Emitter e =
+        i < still_.size() ? still_[i] : emitter_at(scene_, emitters_[i], instant.world_from_body);
+    if (!is_before(e, point.position) || !is_above_horizon(e, point)) continue;
+    candidates.list.push_back({e, material, likely_irradiance(e, instant, point)});
+    candidates.total += candidates.list.back().likely;
+  }
+  if (candidates.list.size() <= kFew) return candidates;
+  candidates.least = candidates.total / kFew;
+  for (const Candidate& c : candidates.list)
+    if (c.likely < candidates.least) candidates.faint += c.likely;
+  return candidates;
+}
+
+// The point at (u, v) of the emitter as one that stands for all its area.
+EmitterSample DirectLight::sample_at(const Candidate& from, const SurfacePoint& point, double u,
+                                     double v) const {
+  const Vec3 y = point_on(from.emitter, u, v);
+  return {y + tracer_.offset() * from.emitter.normal,
+          static_cast<float>(point_irradiance(from.emitter, y, point)), from.material};
+}
+
+// Adds a point from each cell of a grid of `side` x `side` cells on the emitter, weighted so that together
+// they give the exact irradiance with nothing between.
+void DirectLight::add_stratified(const Candidate& candidate, const SurfacePoint& point, int side,
+                                 uint64_t seed, std::vector<EmitterSample>* chosen) const {
+  const Emitter& emitter = candidate.emitter;
+  const double unoccluded =
+      unit_irradiance(point.position, point.normal, emitter.corners.data(), emitter.count);
+  if (!(unoccluded > 0)) return;
+  const size_t first = chosen->size();
+  double all = 0;
+  for (int i = 0; i < side * side; ++i) {
+    const uint64_t h = hash_of(seed, emitter.polygon, static_cast<uint64_t>(i));
+    const double u = (i % side + unit_from(h)) / side, v = (i / side + unit_from(mix64(h))) / side;
+    const EmitterSample sample = sample_at(candidate, point, u, v);
+    if (!(sample.irradiance > 0)) continue;
+    chosen->push_back(sample);
+    all += sample.irradiance;
+  }
+  for (size_t i = first; i < chosen->size(); ++i)
+    (*chosen)[i].irradiance *= static_cast<float>(unoccluded / all);
+}
+
+// Adds points of faint emitters, each drawn with a probability in proportion to what it likely gives, by
+// systematic resampling: one random offset and equal steps along the running sum.
+void DirectLight::add_drawn(const Candidates& candidates, const SurfacePoint& point, int samples,
+                            uint64_t seed, std::vector<EmitterSample>* chosen) const {
+  const double faint = candidates.faint;
+  const int draws = std::max(1, static_cast<int>(std::ceil(kFaintGain * samples * faint / candidates.total)));
+  const double u0 = unit_from(hash_of(seed, kKeyOfU)), v0 = unit_from(hash_of(seed, kKeyOfV));
+  double next = unit_from(hash_of(seed, kKeyOfFirst)) * faint / draws;
+  double before = 0;
+  uint32_t draw = 0;
+  for (const Candidate& c : candidates.list) {
+    if (!(c.likely < candidates.least)) continue;
+    before += c.likely;
+    for (; next < before; next += faint / draws) {
+      const Point2 uv = r2_point(draw++, u0, v0);
+      EmitterSample sample = sample_at(c, point, uv.u, uv.v);
+      sample.irradiance *= static_cast<float>(faint / (draws * c.likely));
+      if (sample.irradiance > 0) chosen->push_back(sample);
+    }
+  }
 }
 
 std::vector<EmitterSample> DirectLight::emitter_samples(const Instant& instant, const SurfacePoint& point,
                                                         int samples, uint64_t seed, Which which) const {
-  struct Candidate {
-    Emitter shape;
-    uint32_t polygon;
-    double likely;  // W / m^2, roughly, unoccluded
-  };
-  std::vector<Candidate> candidates;
-  double total = 0;
-  const size_t first_emitter = which == Which::kMoving ? still_.size() : 0;
-  const size_t end_emitter = which == Which::kStill ? still_.size() : emitters_.size();
-  for (size_t i = first_emitter; i < end_emitter; ++i) {
-    const uint32_t p = emitters_[i];
-    const Polygon& polygon = scene_.polygons[p];
-    if (p == point.polygon || instant.glow[polygon.material] == 0) continue;
-    const Emitter e = i < still_.size() ? still_[i] : emitter_at(p, instant.world_from_body);
-    if (!(dot(point.position - e.corners[0], e.normal) > 0)) continue;  // behind its front
-    double highest = -1;
-    for (int c = 0; c < e.count; ++c)
-      highest = std::max(highest, dot(e.corners[c] - point.position, point.normal));
-    if (!(highest > 0)) continue;  // below the horizon
-    const Vec3 to = e.centre - point.position;
-    const double radius2 = length2(e.corners[0] - e.centre), distance2 = length2(to) + radius2;
-    const double cosines = (std::max(0.0, dot(to, point.normal)) + std::sqrt(radius2)) *
-                           (std::max(0.0, -dot(to, e.normal)) + std::sqrt(radius2)) / distance2;
-    const double likely = max_channel(scene_.materials[polygon.material].emission) *
-                          instant.glow[polygon.material] * std::min(1.0, cosines) * e.area / distance2;
-    candidates.push_back({e, p, likely});
-    total += likely;
-  }
-
+  const Candidates candidates = candidates_for(instant, point, which);
   std::vector<EmitterSample> chosen;
-  double faint = 0;
-  const double least = candidates.size() > kFew ? total / kFew : 0;
-  for (const Candidate& c : candidates) {
-    if (c.likely < least) {
-      faint += c.likely;
-      continue;
-    }
-    const double unoccluded =
-        unit_irradiance(point.position, point.normal, c.shape.corners.data(), c.shape.count);
-    if (!(unoccluded > 0)) continue;
-    const double share = std::min(1.0, 8 * c.likely / total);
+  for (const Candidate& c : candidates.list) {
+    if (c.likely < candidates.least) continue;
+    const double share = std::min(1.0, kFullAt * c.likely / candidates.total);
     const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(samples * share))));
-    const size_t first = chosen.size();
-    double all = 0;
-    for (int i = 0; i < side * side; ++i) {
-      const uint64_t h = hash_of(seed, c.polygon, static_cast<uint64_t>(i));
-      const double u = (i % side + unit_from(h)) / side, v = (i / side + unit_from(mix64(h))) / side;
-      const EmitterSample sample = sample_at(c.shape, point, u, v);
-      if (!(sample.irradiance > 0)) continue;
-      chosen.push_back(sample);
-      all += sample.irradiance;
-    }
-    for (size_t i = first; i < chosen.size(); ++i) {
-      chosen[i].irradiance *= static_cast<float>(unoccluded / all);
-      chosen[i].material = scene_.polygons[c.polygon].material;
-    }
+    add_stratified(c, point, side, seed, &chosen);
   }
-  // Of the faint ones draw some, as often as they are likely to matter.
-  if (!(faint > 0)) return chosen;
-  const int draws = std::max(1, static_cast<int>(std::ceil(4 * samples * faint / total)));
-  const double u0 = unit_from(hash_of(seed, 8)), v0 = unit_from(hash_of(seed, 9));
-  double next = unit_from(hash_of(seed, 7)) * faint / draws;
-  double before = 0;
-  uint32_t draw = 0;
-  for (const Candidate& c : candidates) {
-    if (!(c.likely < least)) continue;
-    before += c.likely;
-    for (; next < before; next += faint / draws) {
-      const Point2 uv = r2_point(draw++, u0, v0);
-      EmitterSample sample = sample_at(c.shape, point, uv.u, uv.v);
-      sample.irradiance *= static_cast<float>(faint / (draws * c.likely));
-      sample.material = scene_.polygons[c.polygon].material;
-      if (sample.irradiance > 0) chosen.push_back(sample);
-    }
-  }
+  if (candidates.faint > 0) add_drawn(candidates, point, samples, seed, &chosen);
   return chosen;
 }
 

@@ -1,31 +1,16 @@
-// Direct light at a point and an instant: spots and emitting polygons, for the solver, frames and probes
-// alike.
+// Direct light at a point and an instant, from spotlights and emitting polygons, as the solver samples it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "light/emitter.h"
+#include "light/instant.h"
+#include "light/spotlight.h"
 #include "light/tracer.h"
 #include "scene/scene.h"
-#include "scene/trajectory.h"
 
 namespace strad {
-
-// All that depends on the date alone.
-struct Instant {
-  double time = 0;
-  std::vector<Pose> world_from_body;
-  std::vector<SpotState> spots;
-  std::vector<float> glow;  // per material
-};
-Instant instant_at(const Scene& scene, double time);
-
-struct SurfacePoint {
-  Vec3 position;             // world, on the surface
-  Vec3 normal;               // world, unit, of the side that receives
-  uint32_t polygon = kNone;  // the polygon it lies on, which never lights itself
-};
 
 // A point of an emitting polygon that lights a point.
 struct EmitterSample {
@@ -43,7 +28,7 @@ class DirectLight {
   Rgb irradiance(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed,
                  uint64_t* rays = nullptr) const;
 
-  // Of spots alone: one shadow ray for each in whose cone the point is.
+  // Of spotlights alone, by one shadow ray for each in whose cone the point is.
   Rgb spots(const Instant& instant, const SurfacePoint& point, uint64_t* rays) const;
 
   // Emitting polygons that move, those that do not, or both.
@@ -54,35 +39,39 @@ class DirectLight {
   Rgb emitters(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed, Which which,
                uint64_t* rays) const;
 
-  // What to look at to know the light of emitting polygons. The ones that matter get about `samples`
-  // stratified points each, in proportion to what they may contribute, by Lambert's formula; of the many that
-  // matter little some are drawn and stand for all.
+  // Points of emitting polygons whose visibility decides the direct light at `point`. Each emitter that
+  // matters gets up to `samples` stratified points, in proportion to its likely share of the irradiance;
+  // together they weigh what Lambert's formula gives for the whole polygon. Of the many emitters that matter
+  // little some are drawn at random and stand for all.
   std::vector<EmitterSample> emitter_samples(const Instant& instant, const SurfacePoint& point, int samples,
                                              uint64_t seed, Which which) const;
 
  private:
-  // An emitting polygon at an instant, world.
-  struct Emitter {
-    std::array<Vec3, 4> corners;
-    int count = 0;
-    Vec3 normal, centre;
-    double area = 0;
+  // Emitters that may light a point, with the irradiance of each, roughly and with nothing between.
+  struct Candidate {
+    Emitter emitter;
+    uint32_t material;
+    double likely;  // W / m^2
   };
-  Emitter emitter_at(uint32_t polygon, const std::vector<Pose>& world_from_body) const;
-  EmitterSample sample_at(const Emitter& emitter, const SurfacePoint& point, double u, double v) const;
+  struct Candidates {
+    std::vector<Candidate> list;
+    double total = 0;  // W / m^2: the sum of `likely`
+    double least = 0;  // W / m^2: emitters below it are faint
+    double faint = 0;  // W / m^2: the sum of `likely` over the faint ones
+  };
+  Candidates candidates_for(const Instant& instant, const SurfacePoint& point, Which which) const;
+  double likely_irradiance(const Emitter& emitter, const Instant& instant, const SurfacePoint& point) const;
+  EmitterSample sample_at(const Candidate& from, const SurfacePoint& point, double u, double v) const;
+  void add_stratified(const Candidate& candidate, const SurfacePoint& point, int side, uint64_t seed,
+                      std::vector<EmitterSample>* chosen) const;
+  void add_drawn(const Candidates& candidates, const SurfacePoint& point, int samples, uint64_t seed,
+                 std::vector<EmitterSample>* chosen) const;
 
   const Scene& scene_;
   const Tracer& tracer_;
   std::vector<uint32_t> emitters_;  // polygons, first those that do not move
-  std::vector<Emitter> still_;      // where those are for good
-  std::vector<double> cos_outer_;   // of spots
+  std::vector<Emitter> still_;      // those that do not move, prepared once
+  std::vector<SpotCone> cones_;
 };
-
-// Irradiance at `point` with `normal` from the convex planar `corners` (count of them, any winding) of unit
-// radiance, unoccluded and clipped to the horizon, in [0, pi]: Lambert's formula (Baum et al. 1989, eq. 9).
-double unit_irradiance(Vec3 point, Vec3 normal, const Vec3* corners, int count);
-
-// Fraction of a spot's intensity in the direction at `cos_theta` from its axis.
-double spot_falloff(const Spot& spot, double cos_theta);
 
 }  // namespace strad

@@ -48,7 +48,7 @@ TEST(SolutionDiff, RadianceIsEmittedAndReflected) {
   Scene scene = square();
   scene.materials[0].emission = {1, 2, 3};
   const Solution solution{{two_halves(1, 2)}};
-  const std::vector<SurfaceSample> samples = {{0, 0, {0.3, 0.6, 0}}, {0, 1, {0.3, 0.6, 0}}};
+  const std::vector<RestSample> samples = {{0, 0, {0.3, 0.6, 0}}, {0, 1, {0.3, 0.6, 0}}};
   const Image radiance = radiance_of(scene, solution, samples, {0.5, 3.5}, false);
   EXPECT_NEAR(radiance.at(0, 0).r, 1 + 0.5, 1e-5);
   EXPECT_NEAR(radiance.at(1, 0).b, 3 + 1, 1e-5);
@@ -135,11 +135,11 @@ TEST(SurfaceSamples, AreaDecidesHowManyASideGets) {
   Scene scene = square();
   scene.vertices.insert(scene.vertices.end(), {{5, 0, 0}, {8, 0, 0}, {5, 2, 0}});
   scene.polygons.push_back(Polygon{.corners = {4, 5, 6, kNone}});  // area 3
-  const std::vector<SurfaceSample> samples = surface_samples(scene, {true, false, false, true}, 400);
+  const std::vector<RestSample> samples = surface_samples(scene, {true, false, false, true}, 400);
   ASSERT_EQ(samples.size(), 400u);
   Vec3 sum[2];
   int count[2] = {0, 0};
-  for (const SurfaceSample& sample : samples) {
+  for (const RestSample& sample : samples) {
     EXPECT_EQ(sample.side, sample.polygon);
     sum[sample.polygon] += sample.rest_point;
     ++count[sample.polygon];

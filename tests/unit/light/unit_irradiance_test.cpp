@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "base/rng.h"
-#include "light/direct.h"
+#include "light/emitter.h"
+#include "light/spotlight.h"
 
 namespace strad {
 namespace {
@@ -110,12 +111,12 @@ TEST(UnitIrradiance, TheWallsOfABoxAddUpToPi) {
 TEST(SpotFalloff, IsOneInsideAndZeroOutside) {
   Spot spot;
   spot.inner = 0.3, spot.outer = 0.5;
-  EXPECT_EQ(spot_falloff(spot, 1), 1);
-  EXPECT_EQ(spot_falloff(spot, std::cos(0.299)), 1);
-  EXPECT_EQ(spot_falloff(spot, std::cos(0.501)), 0);
-  EXPECT_EQ(spot_falloff(spot, -1), 0);
-  EXPECT_NEAR(spot_falloff(spot, 0.5 * (std::cos(0.3) + std::cos(0.5))), 0.5, 1e-12);
-  EXPECT_NEAR(spot_falloff(spot, 0.25 * std::cos(0.3) + 0.75 * std::cos(0.5)), 0.15625,
+  EXPECT_EQ(spot_falloff(cone_of(spot), 1), 1);
+  EXPECT_EQ(spot_falloff(cone_of(spot), std::cos(0.299)), 1);
+  EXPECT_EQ(spot_falloff(cone_of(spot), std::cos(0.501)), 0);
+  EXPECT_EQ(spot_falloff(cone_of(spot), -1), 0);
+  EXPECT_NEAR(spot_falloff(cone_of(spot), 0.5 * (std::cos(0.3) + std::cos(0.5))), 0.5, 1e-12);
+  EXPECT_NEAR(spot_falloff(cone_of(spot), 0.25 * std::cos(0.3) + 0.75 * std::cos(0.5)), 0.15625,
               1e-12);  // 3/16 - 2/64
 }
 
@@ -127,7 +128,8 @@ TEST(SpotFalloff, IntegratesToItsSolidAngle) {
     spot.inner = 0.6 * outer, spot.outer = outer;
     double sum = 0;
     constexpr int kSteps = 200000;
-    for (int i = 0; i < kSteps; ++i) sum += spot_falloff(spot, -1 + 2 * (i + 0.5) / kSteps) * 2 / kSteps;
+    for (int i = 0; i < kSteps; ++i)
+      sum += spot_falloff(cone_of(spot), -1 + 2 * (i + 0.5) / kSteps) * 2 / kSteps;
     EXPECT_NEAR(2 * kPi * sum, 2 * kPi * (1 - 0.5 * (std::cos(spot.inner) + std::cos(spot.outer))), 1e-4);
   }
 }
@@ -135,8 +137,8 @@ TEST(SpotFalloff, IntegratesToItsSolidAngle) {
 TEST(SpotFalloff, AConeWithoutAnEdgeIsSharp) {
   Spot spot;
   spot.inner = spot.outer = 0.4;
-  EXPECT_EQ(spot_falloff(spot, std::cos(0.39)), 1);
-  EXPECT_EQ(spot_falloff(spot, std::cos(0.41)), 0);
+  EXPECT_EQ(spot_falloff(cone_of(spot), std::cos(0.39)), 1);
+  EXPECT_EQ(spot_falloff(cone_of(spot), std::cos(0.41)), 0);
 }
 
 }  // namespace

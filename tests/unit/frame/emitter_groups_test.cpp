@@ -1,5 +1,5 @@
-// Area lights and spots at single points.
-#include "frame/lights.h"
+// Emitter groups and spotlights at single points.
+#include "frame/emitter_groups.h"
 
 #include <gtest/gtest.h>
 
@@ -32,39 +32,39 @@ double square_irradiance(double a, double h) {
   return 4 * r * std::atan(r);
 }
 
-Shadow rays(const Scene& scene, const SurfacePoint& point, uint32_t count, double* irradiance) {
+ShadowRays rays(const Scene& scene, const SurfacePoint& point, uint32_t count, double* irradiance) {
   const Tracer tracer(scene);
-  const std::vector<AreaLight> lights = area_lights(scene);
+  const std::vector<EmitterGroup> lights = emitter_groups(scene);
   const LitInstant lit = lit_instant(scene, lights, 0);
-  AreaView view;
-  look_at(lit.emitters[0], point, &view);
-  *irradiance = view.irradiance;
-  Shadow shadow;
-  add_shadow_rays(tracer, lit, lit.emitters[0], point, view, 0, count, &shadow);
+  UnoccludedIrradiance unoccluded;
+  find_unoccluded(lit.emitters[0], point, &unoccluded);
+  *irradiance = unoccluded.total;
+  ShadowRays shadow;
+  add_shadow_rays(tracer, lit, lit.emitters[0], point, unoccluded, 0, count, &shadow);
   return shadow;
 }
 
-TEST(Lights, UnshadowedSquareIsExact) {
+TEST(EmitterGroups, UnshadowedSquareIsExact) {
   Scene scene;
   add_lamp(&scene);
   double irradiance = 0;
-  const Shadow shadow = rays(scene, kOrigin, 64, &irradiance);
+  const ShadowRays shadow = rays(scene, kOrigin, 64, &irradiance);
   EXPECT_NEAR(irradiance, square_irradiance(1, 2), 1e-9);
   EXPECT_EQ(shadow.free, 64);
   EXPECT_NEAR(shadow.all / 64, 1, 0.02);  // weights have mean 1
   EXPECT_EQ(free_fraction(shadow), 1);
 }
 
-TEST(Lights, PiecesOfOneObjectAreOneLight) {
+TEST(EmitterGroups, PiecesOfOneObjectAreOneLight) {
   const Scene scene = pieces_scene();
-  EXPECT_EQ(area_lights(scene).size(), 1u);
+  EXPECT_EQ(emitter_groups(scene).size(), 1u);
   double irradiance = 0;
-  const Shadow shadow = rays(scene, kOrigin, 256, &irradiance);
+  const ShadowRays shadow = rays(scene, kOrigin, 256, &irradiance);
   EXPECT_NEAR(irradiance, square_irradiance(1, 2), 1e-9);
   EXPECT_NEAR(shadow.all / 256, 1, 0.02);
 }
 
-TEST(Lights, HalfHiddenByAScreen) {
+TEST(EmitterGroups, HalfHiddenByAScreen) {
   for (const bool pieces : {false, true}) {
     Scene scene = pieces ? pieces_scene() : Scene{};
     if (!pieces) add_lamp(&scene);
@@ -72,13 +72,13 @@ TEST(Lights, HalfHiddenByAScreen) {
     // symmetry.
     add_quad(&scene, {0, -5, 1}, {5, -5, 1}, {5, 5, 1}, {0, 5, 1});
     double irradiance = 0;
-    const Shadow shadow = rays(scene, kOrigin, 256, &irradiance);
+    const ShadowRays shadow = rays(scene, kOrigin, 256, &irradiance);
     EXPECT_EQ(shadow.rays, 256);
     EXPECT_NEAR(free_fraction(shadow), 0.5, 0.01);
   }
 }
 
-TEST(Lights, NothingFromBehindTheLampOrTheSurface) {
+TEST(EmitterGroups, NothingFromBehindTheLampOrTheSurface) {
   Scene scene;
   add_lamp(&scene);
   double irradiance = 0;
@@ -88,19 +88,19 @@ TEST(Lights, NothingFromBehindTheLampOrTheSurface) {
   EXPECT_EQ(irradiance, 0);
 }
 
-TEST(Lights, SpotFallsWithTheSquareOfDistance) {
+TEST(EmitterGroups, SpotFallsWithTheSquareOfDistance) {
   Scene scene;
   add_quad(&scene, {-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0});
   scene.spots.push_back({"key", 0, 0.3, 0.5, {{0, {0, 0, 2}, {0, 0, 0}, {8, 4, 2}}}});
   const Tracer tracer(scene);
   const LitInstant lit = lit_instant(scene, {}, 0);
-  uint64_t under = 0, beside = 0;
-  const Rgb light = spot_irradiance(scene, tracer, lit, {{0, 0, 0}, {0, 0, 1}, 0}, &under);
+  SpotRays under, beside;
+  const Rgb light = spots_irradiance(tracer, lit.cones, lit.instant, {{0, 0, 0}, {0, 0, 1}, 0}, &under);
   EXPECT_NEAR(light.r, 8 / 4.0, 1e-6);  // I cos / r^2
   EXPECT_NEAR(light.b, 2 / 4.0, 1e-6);
-  const Rgb none = spot_irradiance(scene, tracer, lit, {{3, 0, 0}, {0, 0, 1}, 0}, &beside);
+  const Rgb none = spots_irradiance(tracer, lit.cones, lit.instant, {{3, 0, 0}, {0, 0, 1}, 0}, &beside);
   EXPECT_EQ(none, Rgb{});
-  EXPECT_NE(under, beside);
+  EXPECT_NE(under.reached, beside.reached);
 }
 
 }  // namespace

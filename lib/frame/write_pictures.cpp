@@ -1,0 +1,69 @@
+#include "frame/write_pictures.h"
+
+#include <functional>
+#include <optional>
+
+#include "frame/reference.h"
+#include "image/files.h"
+#include "image/pnm.h"
+#include "solution/solution_file.h"
+#include "stream/output_file.h"
+
+namespace strad {
+namespace {
+
+// Renders each frame and writes it to its file or down a pipe.
+void write_each(const FrameRequest& request, const Scene& scene, TimeRange range, const Progress& progress,
+                const std::function<Image(const Camera&, double time)>& render) {
+  const std::vector<FrameTime> frames = requested_frames(request, scene, range);
+  const Camera& camera = find_camera(scene, "--camera", request.camera);
+  std::optional<FilePattern> pattern;
+  std::optional<Output> pipe;
+  if (goes_to_files(request)) {
+    pattern = output_pattern(request, frames.size());
+    require_image_format(pattern->name(frames.front().number));
+  } else {
+    pipe.emplace("-");
+  }
+  for (size_t i = 0; i < frames.size(); ++i) {
+    const auto [number, time] = frames[i];
+    report_frame(progress, i, frames.size(), number);
+    Image image = render(camera, time);
+    expose(&image, request.exposure);
+    if (pattern) {
+      save_image(pattern->name(number), image);
+    } else {
+      pipe->write(request.pfm ? encode_pfm(image) : encode_ppm(image));
+    }
+  }
+  if (pipe) pipe->commit();
+}
+
+}  // namespace
+
+void write_pictures(const FrameRequest& request, const Progress& progress) {
+  SolutionFile file(request.stream);
+  RasterOptions options = request.raster;
+  options.shutter = request.shutter / file.scene().rate;
+  Raster raster(file.scene());
+  write_each(request, file.scene(), {file.begin(), file.end()}, progress,
+             [&](const Camera& camera, double time) {
+               const Slab& slab = file.slab_for(time, time + options.shutter, parts_for(options));
+               return raster.render(slab, camera, time, options);
+             });
+}
+
+void write_references(const FrameRequest& request, const Progress& progress) {
+  const Scene scene = read_stream(request.stream).scene;
+  ReferenceOptions options;
+  options.width = request.raster.width;
+  options.height = request.raster.height;
+  options.paths = request.reference;
+  options.shutter = request.shutter / scene.rate;
+  options.seed = request.seed;
+  const Reference reference(scene);
+  write_each(request, scene, {scene.start, scene.end, "the animation"}, progress,
+             [&](const Camera& camera, double time) { return reference.render(camera, time, options); });
+}
+
+}  // namespace strad

@@ -1,0 +1,14 @@
+// Raster frames to picture files or down a pipe.
+#pragma once
+
+#include "base/progress.h"
+#include "frame/frame_request.h"
+
+namespace strad {
+
+// Throws BadInput or IoError; a file is whole or absent.
+void write_pictures(const FrameRequest& request, const Progress& progress);
+// The same for reference frames, which need no solution.
+void write_references(const FrameRequest& request, const Progress& progress);
+
+}  // namespace strad

@@ -1,0 +1,84 @@
+#include "light/emitter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace strad {
+namespace {
+
+// Corners of the part of the polygon above the horizon of `point`, relative to it; at most one corner more.
+int clip_to_horizon(Vec3 point, Vec3 normal, const Vec3* corners, int count, Vec3* clipped) {
+  int kept = 0;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 a = corners[i] - point, b = corners[(i + 1) % count] - point;
+    const double ha = dot(a, normal), hb = dot(b, normal);
+    if (ha > 0) clipped[kept++] = a;
+    if ((ha > 0) != (hb > 0)) clipped[kept++] = lerp(a, b, ha / (ha - hb));
+  }
+  return kept;
+}
+
+}  // namespace
+
+Emitter emitter_at(const Scene& scene, uint32_t p, const std::vector<Pose>& world_from_body) {
+  const Polygon& polygon = scene.polygons[p];
+  const Pose& pose = world_from_body[body_of(scene, polygon)];
+  Emitter e;
+  e.polygon = p;
+  e.count = polygon.corner_count();
+  auto& c = e.corners;
+  for (int i = 0; i < e.count; ++i) {
+    c[i] = pose * scene.vertices[polygon.corners[i]];
+    e.centre += c[i] / e.count;
+  }
+  const Vec3 doubled = e.count == 4 ? cross(c[2] - c[0], c[3] - c[1]) : cross(c[1] - c[0], c[2] - c[0]);
+  e.area = length(doubled) / 2;
+  e.normal = normalized(doubled);
+  const double skew2 = length2((c[0] - c[1]) + (c[2] - c[3]));
+  e.parallelogram = e.count == 4 && skew2 <= 1e-18 * length2(c[2] - c[0]);
+  return e;
+}
+
+Vec3 point_on(const Emitter& emitter, double u, double v) {
+  const auto& c = emitter.corners;
+  if (emitter.count == 4) return lerp(lerp(c[0], c[1], u), lerp(c[3], c[2], u), v);
+  const double root = std::sqrt(u);
+  return (1 - root) * c[0] + root * (1 - v) * c[1] + root * v * c[2];
+}
+
+double stretch_at(const Emitter& emitter, double u, double v) {
+  if (emitter.parallelogram || emitter.count == 3) return 1;
+  const auto& c = emitter.corners;
+  const Vec3 along_u = lerp(c[1] - c[0], c[2] - c[3], v), along_v = lerp(c[3] - c[0], c[2] - c[1], u);
+  return length(cross(along_u, along_v)) / emitter.area;
+}
+
+double point_irradiance(const Emitter& emitter, Vec3 on_emitter, const SurfacePoint& point) {
+  const Vec3 to = on_emitter - point.position;
+  const double cos_receiver = dot(to, point.normal),
+               cos_emitter = -dot(to, emitter.normal);  // times distance
+  if (!(cos_receiver > 0) || !(cos_emitter > 0)) return 0;
+  const double distance2 = length2(to);
+  return cos_receiver * cos_emitter * emitter.area / (distance2 * distance2);
+}
+
+bool is_before(const Emitter& emitter, Vec3 point) {
+  return dot(point - emitter.corners[0], emitter.normal) > 0;
+}
+
+double unit_irradiance(Vec3 point, Vec3 normal, const Vec3* corners, int count) {
+  Vec3 v[8];
+  count = clip_to_horizon(point, normal, corners, count, v);
+  if (count < 3) return 0;
+  for (int i = 0; i < count; ++i) v[i] = normalized(v[i]);
+  Vec3 sum;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 c = cross(v[i], v[(i + 1) % count]);
+    const double sine = length(c);
+    if (!(sine > 1e-12)) continue;
+    sum += (std::atan2(sine, dot(v[i], v[(i + 1) % count])) / sine) * c;
+  }
+  return std::clamp(0.5 * std::abs(dot(sum, normal)), 0.0, kPi);
+}
+
+}  // namespace strad

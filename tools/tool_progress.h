@@ -1,0 +1,15 @@
+// What is told on standard error of work that goes on: a bar on a terminal, or a line a step with -v.
+#pragma once
+
+#include "base/progress.h"
+#include "tool_options.h"
+
+namespace strad {
+
+// Nothing with -q. With -v a line "TEXT: SECONDS s" when a step ends, that is when the text changes or the
+// last copy is destroyed. Else a bar for work longer than a second, only on a terminal. Copies share one
+// state; thread-safe.
+//   solve(scene, options, &stats, progress_on_stderr(common));
+Progress progress_on_stderr(const Common& common);
+
+}  // namespace strad
