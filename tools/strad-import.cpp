@@ -57,6 +57,18 @@ bool is_pov(const ImportTool& tool) {
   return tool.path.ends_with(".pov") || tool.path.ends_with(".inc");
 }
 
+// What was read; textures, spotlights and cameras only where the file has any.
+void tell_counts(const Common& common, const Scene& scene) {
+  const auto counted = [](size_t count, const char* what) { return std::to_string(count) + " " + what; };
+  if (scene.textures.size() + scene.spots.size() + scene.cameras.size() > 0) {
+    detail(common, counted(scene.textures.size(), "textures, ") +
+                       counted(scene.spots.size(), "spotlights, ") +
+                       counted(scene.cameras.size(), "cameras"));
+  }
+  detail(common, counted(scene.polygons.size(), "polygons, ") + counted(scene.objects.size(), "objects, ") +
+                     counted(scene.materials.size(), "materials"));
+}
+
 int import_scene(const ImportTool& tool) {
   refuse_terminal(tool.common.output);
   ImportReport report;
@@ -64,8 +76,7 @@ int import_scene(const ImportTool& tool) {
   stream.scene = is_pov(tool) ? import_pov(tool.path, tool.import, &report)
                               : import_obj(tool.path, tool.import, &report);
   for (const std::string& line : report.lines()) note(tool.common, line);
-  if (report.lines().empty()) detail(tool.common, "nothing was left out or changed");
-  detail(tool.common, stream_summary(tool.path, stream));
+  tell_counts(tool.common, stream.scene);
   write_stream(std::move(stream), tool.provenance, tool.common);
   return 0;
 }

@@ -1,4 +1,4 @@
-// Samples at the corners of pixels, which neighbouring pixels share, and what they tell about a pixel.
+// Samples at the corners of pixels, which neighbouring pixels share, and what follows from them for a pixel.
 #pragma once
 
 #include <cstdint>
@@ -57,7 +57,7 @@ class Corners {
   int left_, top_, right_, bottom_;  // right and bottom beyond the last
   size_t columns_;
   std::vector<Corner> corners_;
-  std::vector<GroupShare> shares_;  // groups_ a corner
+  std::vector<GroupShare> shares_;  // groups_ per corner
 };
 
 }  // namespace strad

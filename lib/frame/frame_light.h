@@ -1,4 +1,4 @@
-// What the solution says about one frame: irradiance on all faces, as the picture takes it.
+// Irradiance on all faces from the solution, at the instant of a frame or in the mean over its exposure.
 #pragma once
 
 #include <memory>

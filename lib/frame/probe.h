@@ -14,7 +14,7 @@
 
 namespace strad {
 
-// What a user asks for.
+// A point as the user asks for it.
 struct ProbeQuery {
   Vec3 position;               // near a surface at rest, m
   std::optional<Vec3> normal;  // the side that faces it, and of surfaces equally near the one that faces it
@@ -54,7 +54,7 @@ class Probe {
   Probe(const Probe&) = delete;
   Probe& operator=(const Probe&) = delete;
 
-  // One value a point. REQUIRES: `slab` holds `time`.
+  // One value per point. REQUIRES: `slab` holds `time`.
   std::vector<ProbeValue> at(const Slab& slab, double time);
 
  private:

@@ -12,7 +12,7 @@ namespace strad {
 // "X,Y,Z" or "X,Y,Z,NX,NY,NZ". Throws BadInput beginning with `option`.
 ProbeQuery parse_probe(const std::string& option, std::string_view text);
 
-// A point a line, its numbers apart by blanks, tabs or commas; # begins a comment. Throws BadInput
+// One point per line, its numbers separated by blanks, tabs or commas; # begins a comment. Throws BadInput
 // "NAME:LINE: ...".
 std::vector<ProbeQuery> parse_probes(const std::string& name, std::string_view text);
 

@@ -17,7 +17,7 @@ struct FrameView {
   const Tracer& tracer;
   const Surfaces& surfaces;
   const FrameLight& light;
-  std::vector<CameraRays> cameras;   // one an instant
+  std::vector<CameraRays> cameras;   // one per instant
   std::vector<LitInstant> instants;  // of the exposure, evenly spread; one where the shutter is not open
   size_t group_count = 0;            // 0 also where direct light comes from the mesh
   bool trace_direct = true;

@@ -1,5 +1,5 @@
-// Solutions seen as pictures, a row a point of the surfaces and a column a date, so that the metrics of
-// pictures tell how much two solutions differ and how much one jumps.
+// Differences of solutions and jumps of one: radiance is laid out as a picture, one row per surface point and
+// one column per date, and the metrics of pictures are applied to it.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ struct RestSample {
   Vec3 rest_point;
 };
 
-// `count` points in order of polygons, as many a side as its area asks for, of the sides with
+// `count` points in order of polygons, the count of each side in proportion to its area, of the sides with
 // wanted[2 * polygon + side]. Empty when their area is zero.
 std::vector<RestSample> surface_samples(const Scene& scene, const std::vector<bool>& wanted, uint32_t count);
 

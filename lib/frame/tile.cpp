@@ -100,8 +100,8 @@ float contrast(Rgb a, Rgb b) {
   return most;
 }
 
-// A pixel at a time. `corners` are there when the frame is a single instant and has more than one sample a
-// pixel.
+// Renders one pixel after another. `corners` are there when the frame is a single instant and has more than
+// one sample a pixel.
 class PixelRenderer {
  public:
   PixelRenderer(const FrameView& view, int samples, const std::optional<Corners>& corners)
@@ -131,7 +131,8 @@ class PixelRenderer {
   SeenSides seen_;                  // by the pixel at hand
 };
 
-// The mean over a pixel whose corners are alike of all but emitter groups, if few samples tell it.
+// The mean radiance over a pixel whose corners are alike, without emitter groups; nothing if a few samples do
+// not determine it.
 std::optional<Rgb> PixelRenderer::smooth_base(int x, int y) {
   Rgb low = corners_->sample(x, y).base, high = low, sum;
   for (int k = 0; k < 4; ++k) {
@@ -176,7 +177,7 @@ void PixelRenderer::sample_inside(int x, int y, uint32_t count, uint32_t rays, P
   }
 }
 
-// The mean of as many samples within the pixel as their deviation asks for; the corners tell of edges that
+// The mean of as many samples within the pixel as their deviation asks for; the corners reveal edges that
 // few samples miss.
 Rgb PixelRenderer::inside(int x, int y) {
   PixelSum sum;
