@@ -152,7 +152,7 @@ memory than the constant basis; in its table it takes 21 % less.")
 $(table 2 "The same on the second scene, with complex models in place of the boxes and links between clusters. The paper \
 has no constant basis here.")
 $(figure_2 | figure 2 "Frames just before and just after half time, t&#160;=&#160;$half&#160;s, as solved, and the difference of the two: \
-the darker, the larger, in percent of the mean of the picture. Nothing moves between the two frames, so each difference \
+the darker, the larger, in percent of the mean of the picture. The frames are two microseconds apart, so each difference \
 is an error. With the constant basis look for patches all over the scene that change at once: by $(jump 1 m1) of \
 the mean radiance (root of the mean square over all surfaces, strad-diff --jump $half). With M2 they change by $(jump 1 m2).")
 $({
