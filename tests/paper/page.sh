@@ -160,7 +160,8 @@ $({
   picture 1/radiance-half.svg "the same near half time"
 } | figure 3 "Radiance from indirect light at the point ${PAPER_POINT:-3,1.2,0,0,0,1} over the whole animation, and near half time. The \
 constant basis goes in steps; M2 follows the reference in straight pieces that do not quite meet. The \
-reference is a solution in M3 at a fourth of the tolerated error, as frames show it.")
+reference is a solution in M3 at a fourth of the tolerated error, as frames show it. What lies between it and the other two \
+is error: in part that of -e, in part because an element has one value and the reference that of the point.")
 $(figure_4 | figure 4 "Differences at half time as in figure 2, by basis. Each jump is the root of the mean square over all surfaces, \
 in percent of the mean radiance. The paper finds that clusters bring back some of the jumps.$clusters In frames as strad shows \
 them, with the correction, M3 jumps by $continuous on the first scene.")
