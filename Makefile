@@ -5,7 +5,7 @@ PREFIX = /usr/local
 CMAKE_FLAGS =
 sources = $(shell find lib tools tests -name '*.cpp' -o -name '*.h')
 
-.PHONY: build demo check bench lint format install clean help configure
+.PHONY: build demo check bench paper lint format install clean help configure
 
 build: configure  ## the executables in build/bin (missing Debian packages are installed)
 	@cmake --build $(BUILD) --target tools
@@ -26,6 +26,13 @@ bench: build  ## error against CPU seconds, acceleration, continuity, as tables
 
 lint:  ## formatting, a second compiler's warnings, clang-tidy, man pages, types defined twice
 	@.ci/install build check lint
+
+paper: build  ## tables and figures of the 2001 paper made again, as one page: build/paper/index.html
+	@.ci/install bench
+	@PATH="$(abspath $(BUILD))/bin:$$PATH" bash tests/paper/paper.sh $(BUILD)/paper
+
+lint: configure  ## formatting, warnings of a second compiler, man pages
+	@.ci/install lint check
 	@clang-format --dry-run --Werror $(sources)
 	@mandoc -T lint -W warning man/*.[157]
 	@mkdir -p $(BUILD)/lint

@@ -33,7 +33,7 @@ stat_of() {
 }
 
 # fact NAME: a number of strad-info that has this name.
-fact() { strad-info --json "$work/scene.strad" | awk -F'[:,]' -v key="\"$1\"" 'index($1, key) { print $2 + 0; exit }'; }
+fact() { strad-info --json "$work/scene.strad" | awk -F'[:,]' -v key="\"$1\"" '!told && index($1, key) { print $2 + 0; told = 1 }'; }
 
 # The truth's frame numbers, with commas, and its picture size (PFM has it as text).
 truth_frames() { ls "$STRAD_TRUTH/$1" | sed -n 's/^frame_0*\([0-9]*\)_a\.exr$/\1/p' | paste -sd, -; }
