@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,8 @@ std::string in_quotes(std::string_view text, size_t most = 40);
 // The whole of `text` as a decimal number, finite as a float; nothing else is taken for one (nan, 0x10, 0,5).
 std::optional<double> number_in(std::string_view text);
 std::optional<int64_t> integer_in(std::string_view text);
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words);
 
 // Takes the next word, ended by blanks, off the front of `rest`; empty at the end.
 std::string_view next_word(std::string_view* rest);

@@ -95,26 +95,6 @@ void drop_unused_points(Scene* scene) {
 
 }  // namespace
 
-void ImportReport::add(const std::string& what, const std::string& file, uint32_t line) {
-  for (Entry& entry : entries_) {
-    if (entry.what == what) {
-      ++entry.count;
-      if (entry.file == file) entry.line = std::min(entry.line, line);
-      return;
-    }
-  }
-  entries_.push_back({what, file, line, 1});
-}
-
-std::vector<std::string> ImportReport::lines() const {
-  std::vector<std::string> lines;
-  for (const Entry& entry : entries_) {
-    const std::string count = entry.count > 1 ? " (" + std::to_string(entry.count) + " in all)" : "";
-    lines.push_back(entry.file + ":" + std::to_string(entry.line) + ": " + entry.what + count);
-  }
-  return lines;
-}
-
 Rgb limited_reflectance(Rgb reflectance, const std::string& file, uint32_t line, ImportReport* report) {
   for (int c = 0; c < 3; ++c) {
     if (!(reflectance[c] >= 0 && reflectance[c] <= 1))

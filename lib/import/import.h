@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "import/report.h"
 #include "scene/scene.h"
 
 namespace strad {
@@ -14,27 +15,11 @@ struct MaterialLight {
   Rgb radiance;         // W / (sr m^2)
 };
 
-struct ImportOptions {
+struct ImportOptions : SkipOptions {
   double scale = 1;  // metres in a unit of the file, > 0
   char up = 'y';     // the file's upward axis, 'y' or 'z'; the scene is turned so that y is up
   std::vector<MaterialLight> lights;  // emission in place of the file's own; later ones win
-  bool skip_missing = false;  // leave out files and materials that are not there, in place of refusing
-  bool skip_unknown = false;  // leave out statements that have no meaning here, in place of refusing
-  int tessellate = 16;        // sides of a round POV-Ray object, >= 3
-};
-
-// What was left out or changed, a line a kind: the first place in its file and how often.
-class ImportReport {
- public:
-  void add(const std::string& what, const std::string& file, uint32_t line);
-  std::vector<std::string> lines() const;
-
- private:
-  struct Entry {
-    std::string what, file;
-    uint32_t line = 0, count = 0;
-  };
-  std::vector<Entry> entries_;
+  int tessellate = 16;                // sides of a round POV-Ray object, >= 3
 };
 
 // A surface that returns all light would keep it for ever.

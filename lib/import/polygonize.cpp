@@ -23,16 +23,6 @@ Tolerance tolerance_of(std::span<const Vec3> outline) {
   return {1e-7 * box.diagonal() + rounding, 1e-6 * box.diagonal() + 2 * rounding};
 }
 
-// Twice the vector area (Newell): along the normal of the best plane.
-Vec3 doubled_area(std::span<const Vec3> outline) {
-  Vec3 sum;
-  for (size_t i = 1; i + 1 < outline.size(); ++i)
-    sum += cross(outline[i] - outline[0], outline[i + 1] - outline[0]);
-  return sum;
-}
-
-double cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 double length2d(Vec2 a) { return std::hypot(a.x, a.y); }
 
 // An outline in its own plane, being cut up. Corners are named by their positions in the outline.
@@ -269,6 +259,13 @@ std::vector<Vec2> flattened(std::span<const Vec3> outline, Vec3 normal) {
 }
 
 }  // namespace
+
+Vec3 doubled_area(std::span<const Vec3> outline) {
+  Vec3 sum;
+  for (size_t i = 1; i + 1 < outline.size(); ++i)
+    sum += cross(outline[i] - outline[0], outline[i + 1] - outline[0]);
+  return sum;
+}
 
 Outline polygonize(std::span<const Vec3> outline, std::vector<OutlinePiece>* pieces) {
   const Tolerance tolerance = tolerance_of(outline);

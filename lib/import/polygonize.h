@@ -9,6 +9,10 @@
 
 namespace strad {
 
+// Twice the area of an outline times the normal of its best plane (Newell), pointing to where its corners run
+// counter-clockwise.
+Vec3 doubled_area(std::span<const Vec3> outline);
+
 // Positions in the outline, in its winding; the last is -1 for a triangle.
 struct OutlinePiece {
   int corners[4] = {-1, -1, -1, -1};

@@ -6,7 +6,7 @@
 
 namespace strad {
 
-inline double radians(double degrees) { return degrees * (kPi / 180); }
+inline double radians(double degrees) { return degrees * kDegree; }
 
 // As short as it can be and still read back the same.
 std::string motion_number(double value);

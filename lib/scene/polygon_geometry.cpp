@@ -37,7 +37,6 @@ Projection projection_along(Vec3 normal) {
   if (x >= y && x >= z) return {1, 2};
   return y >= z ? Projection{2, 0} : Projection{0, 1};
 }
-double cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
 Vec2 triangle_parametric(const Scene& scene, const Polygon& polygon, Vec3 rest_point) {
   const Vec3 c0 = corner(scene, polygon, 0);

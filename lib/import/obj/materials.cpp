@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "image/files.h"
+#include "import/load_texture.h"
 #include "import/obj/mtl.h"
 
 namespace strad {
@@ -24,8 +24,7 @@ class MaterialLoader {
  private:
   // Refuses, or reports where missing things are to be skipped.
   void missing(const std::string& what, const std::string& file, uint32_t line) {
-    if (!options_.skip_missing) fail_at(file, line, what);
-    report_->add(what + ": left out", file, line);
+    refuse_missing(what, file, line, options_, report_);
   }
   void read_mtl_file(const std::string& reference, uint32_t line);
   void add(const MtlMaterial& material);
@@ -84,12 +83,8 @@ uint32_t MaterialLoader::texture_of(const MtlMaterial& material) {
     missing("texture " + in_quotes(path, path.size()) + " is missing", material.file, material.texture_line);
     return texture_at_[path] = kNone;
   }
-  try {
-    SrgbImage image = load_srgb_image(path);
-    scene_->textures.push_back({material.texture, image.width, image.height, std::move(image.bytes)});
-  } catch (const std::exception& error) {
-    fail_at(material.file, material.texture_line, error.what());
-  }
+  scene_->textures.push_back(
+      load_texture({path, material.texture, false, material.file, material.texture_line}));
   return texture_at_[path] = static_cast<uint32_t>(scene_->textures.size() - 1);
 }
 

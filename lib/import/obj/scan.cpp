@@ -15,19 +15,17 @@ namespace {
 
 constexpr size_t kMaxItems = 0x7fffffff;  // indices are 31 bits in tinyobjloader
 
-template <size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+// Statements that say nothing about polygons: shading, display, skinning, subdivision.
+bool is_without_meaning(std::string_view word) {
+  return is_one_of(word, {"s", "mg", "bevel", "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj",
+                          "ctech", "trace_obj", "stech", "vw", "t", "vp", "csh", "end"});
 }
 
-// Statements that say nothing about polygons: shading, display, skinning, subdivision.
-constexpr std::array<std::string_view, 17> kWithoutMeaning{
-    "s",     "mg",        "bevel", "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj",
-    "ctech", "trace_obj", "stech", "vw",       "t",        "vp",  "csh",    "end"};
-// Free-form curves and surfaces.
-constexpr std::array<std::string_view, 17> kFreeForm{"cstype", "deg",  "bmat", "step", "curv", "curv2",
-                                                     "surf",   "parm", "trim", "hole", "scrv", "sp",
-                                                     "con",    "bzp",  "bsp",  "cdc",  "res"};
+// Statements of free-form curves and surfaces.
+bool is_free_form(std::string_view word) {
+  return is_one_of(word, {"cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole",
+                          "scrv", "sp", "con", "bzp", "bsp", "cdc", "res"});
+}
 
 // Names in order of first use.
 class NameList {
@@ -233,9 +231,9 @@ void Scanner::statement(std::string_view word, std::string_view rest) {
     scan_.libraries.push_back({std::string(trimmed(rest)), lines_.number()});
   } else if (word == "l" || word == "p") {
     left_out(word == "l" ? "line" : "point");
-  } else if (is_one_of(word, kFreeForm)) {
+  } else if (is_free_form(word)) {
     if (word == "curv" || word == "curv2" || word == "surf") left_out("free-form " + std::string(word));
-  } else if (!is_one_of(word, kWithoutMeaning)) {
+  } else if (!is_without_meaning(word)) {
     if (!options_.skip_unknown)
       fail_at(name_, lines_.number(),
               "found " + in_quotes(word) + ", expected an OBJ statement such as v, f or usemtl");

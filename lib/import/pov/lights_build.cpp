@@ -12,7 +12,6 @@
 namespace strad {
 namespace {
 
-constexpr double kDegree = kPi / 180;
 constexpr double kFullCone = 179.99 * kDegree;  // a cone must be narrower than a sphere
 
 // strad-frame --pov writes these beside surfaces that emit: they would be lit twice.
@@ -43,7 +42,7 @@ Rgb PovBuilder::intensity_of(const PovLight& light) {
 }
 
 void PovBuilder::add_light(const PovLight& light) {
-  for (const PovProblem& problem : light.problems) refuse(problem);
+  for (const PovProblem& problem : light.problems) refuse(problem, options_, report_);
   if (std::min({light.colour.r, light.colour.g, light.colour.b}) < 0)
     fail_at(light.place.file, light.place.line, "the colour of a light is negative");
   if (is_black(light.colour) || light.name.starts_with(kOwnLamps)) return;
@@ -69,7 +68,7 @@ void PovBuilder::add_light(const PovLight& light) {
 
 void PovBuilder::add_spot(const PovLight& light, Rgb intensity) {
   Spot spot;
-  spot.name = unique(light.name.empty() ? "light_source" : light.name, &spot_uses_);
+  spot.name = spot_names_.unique(light.name.empty() ? "light_source" : light.name);
   spot.inner = spot.outer = kFullCone;
   Vec3 aim = light.location - Vec3{0, 1, 0};
   if (light.spotlight) {

@@ -3,16 +3,11 @@
 #include <cmath>
 #include <optional>
 
+#include "import/polygonize.h"
 #include "import/pov/shapes.h"
 
 namespace strad {
 namespace {
-
-Vec3 doubled_area(const std::vector<Vec3>& ring) {
-  Vec3 sum;
-  for (size_t i = 1; i + 1 < ring.size(); ++i) sum += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-  return sum;
-}
 
 // Rings in their common plane.
 struct FlatRing {
@@ -21,8 +16,6 @@ struct FlatRing {
   double area = 0;  // signed
   int depth = 0;    // how many others it lies in
 };
-
-double cross2(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 bool contains(const FlatRing& ring, Vec2 p) {
   bool inside = false;
@@ -35,7 +28,7 @@ bool contains(const FlatRing& ring, Vec2 p) {
 
 // Do the segments cross within both of them?
 bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  return cross2(a, b, c) * cross2(a, b, d) < 0 && cross2(c, d, a) * cross2(c, d, b) < 0;
+  return cross2(b - a, c - a) * cross2(b - a, d - a) < 0 && cross2(d - c, a - c) * cross2(d - c, b - c) < 0;
 }
 
 bool crosses(const FlatRing& ring, Vec2 a, Vec2 b) {

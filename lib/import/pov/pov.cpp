@@ -3,7 +3,7 @@
 
 #include "base/text.h"
 #include "import/pov/build.h"
-#include "import/pov/scene.h"
+#include "import/pov/scene_reader.h"
 
 namespace strad {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "import/pov/values.h"
+#include "import/pov/scene_values.h"
 
 namespace strad {
 

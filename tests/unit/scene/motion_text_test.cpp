@@ -14,7 +14,6 @@ Scene compiled(const std::string& text) {
   return scene;
 }
 
-constexpr double kDegree = kPi / 180;
 
 TEST(Motion, an_empty_text_changes_nothing) {
   const Scene scene = compiled("\n  # only a comment\n\n");

@@ -1,10 +1,12 @@
-// What POV-Ray's language describes: textures, objects, lights and the camera.
+// Reads what POV-Ray's language describes: textures, objects, lights and the camera.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "import/pov/language.h"
+#include "import/import.h"
+#include "import/pov/language/interpreter.h"
+#include "import/pov/scene_values.h"
 
 namespace strad {
 
@@ -21,9 +23,11 @@ struct PovMeshLists {
   std::string file;
 };
 
-class PovSceneReader : public PovLanguage {
+class PovSceneReader : private PovStatements {
  public:
-  using PovLanguage::PovLanguage;
+  // Both must outlive it.
+  PovSceneReader(const ImportOptions& options, ImportReport* report)
+      : options_(options), report_(report), in_(options, report, this) {}
 
   struct Placed {
     std::string name;  // of the declaration it comes from, or what it is
@@ -36,15 +40,13 @@ class PovSceneReader : public PovLanguage {
   const std::vector<Placed>& placed() const { return placed_; }
   const std::optional<PovCamera>& camera() const { return camera_; }
 
- protected:
-  std::optional<PovValue> describe(std::string_view word) override;
-  void default_block() override;
-
  private:
+  std::any describe(std::string_view word) override;
+  void name_declared(const std::string& name, std::any* value) override;
+  void default_block() override;
   void statement();
-  void skip_item();  // a word and what belongs to it
 
-  // Textures, in import_pov_textures.cpp. Each from its opening brace.
+  // Textures, in textures.cpp. Each from its opening brace.
   PovTexture texture_block(const PovTexture& base);
   PovPigment pigment_block(const PovPigment& base);
   PovFinish finish_block(const PovFinish& base);
@@ -54,7 +56,7 @@ class PovSceneReader : public PovLanguage {
   static PovSurfacePointer mean_of(const PovSurfacePointer& a, const PovSurfacePointer& b,
                                    const PovSurfacePointer& c);
 
-  // Objects, in import_pov_objects.cpp, import_pov_primitives.cpp and import_pov_meshes.cpp.
+  // Objects, in objects.cpp, primitives.cpp and meshes.cpp.
   struct Modifiers {
     PovTransform transform;
     std::optional<PovTexture> texture;
@@ -82,11 +84,20 @@ class PovSceneReader : public PovLanguage {
   PovTransform matrix();
   void finish_object(PovObject* object, const Modifiers& modifiers);
 
-  // Lights and camera, in import_pov_lights.cpp. Each from its opening brace.
+  // Lights and camera, in lights.cpp. Each from its opening brace.
   PovLight light_block();
   void light_item(PovLight* light);
   PovCamera camera_block();
+  struct CameraAim {
+    std::optional<double> angle;  // degrees, from left to right
+    std::optional<Vec3> look_at;
+    PovTransform moved;
+  };
+  void camera_item(PovCamera* camera, CameraAim* aim);
 
+  const ImportOptions& options_;
+  ImportReport* report_;
+  PovInterpreter in_;
   std::vector<Placed> placed_;
   std::optional<PovCamera> camera_;
   PovTexture default_texture_;

@@ -1,38 +1,18 @@
-// What a POV-Ray scene file can name: numbers, strings, transformations, textures, objects, lights, cameras.
+// What a POV-Ray scene file describes: transformations, textures, objects, lights, cameras.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "base/rgb.h"
 #include "base/vec.h"
-#include "import/pov/tokens.h"
+#include "import/pov/language/values.h"
 
 namespace strad {
-
-// A place in a file, for what is complained about only when it is used.
-struct PovPlace {
-  std::string file;
-  uint32_t line = 0;
-};
-struct PovProblem {
-  std::string what;
-  PovPlace place;
-};
-
-// A number, a vector or a colour (red, green, blue, filter, transmit).
-struct PovNumbers {
-  int size = 1;  // 1 to 5
-  std::array<double, 5> parts{};
-  double operator[](int i) const { return parts[static_cast<size_t>(i)]; }
-  double& operator[](int i) { return parts[static_cast<size_t>(i)]; }
-};
 
 // p maps to x * rows[0] + y * rows[1] + z * rows[2] + rows[3].
 struct PovTransform {
@@ -134,25 +114,6 @@ struct PovCamera {
   Vec3 location, direction{0, 0, 1}, right{4.0 / 3, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
   PovPlace place;
   std::optional<PovProblem> problem;
-};
-
-struct PovMacro {
-  std::shared_ptr<const PovFile> file;
-  size_t body = 0;  // first token
-  std::vector<std::string> parameters;
-};
-
-// Declared, but of no use here: an interior, a normal, a function.
-struct PovIgnored {};
-
-struct PovArray;
-using PovValue =
-    std::variant<PovIgnored, PovNumbers, std::string, std::shared_ptr<PovArray>, PovTransform, PovPigment,
-                 PovFinish, PovTexture, std::shared_ptr<const PovObject>, PovLight, PovCamera, PovMacro>;
-
-struct PovArray {
-  std::vector<size_t> sizes;                   // of each dimension
-  std::vector<std::optional<PovValue>> items;  // the last index runs fastest
 };
 
 }  // namespace strad
