@@ -15,7 +15,7 @@ bool means(const MaterialLight& light, const std::string& material) {
   return fnmatch(light.pattern.c_str(), material.c_str(), 0) == 0;
 }
 
-// Each light must mean a material.
+// Throws BadInput for a light that matches no material.
 void override_emissions(Scene* scene, const ImportOptions& options, const std::string& name) {
   for (const MaterialLight& light : options.lights) {
     const auto meant = [&](const Material& material) { return means(light, material.name); };
@@ -26,7 +26,7 @@ void override_emissions(Scene* scene, const ImportOptions& options, const std::s
     material.emission = overridden_emission(material.emission, material.name, options);
 }
 
-// y up, in metres.
+// To y up and metres.
 struct Turned {
   double scale;
   bool z_is_up;
@@ -52,7 +52,7 @@ void turn_scene(Scene* scene, const Turned& turned) {
   }
 }
 
-// Keeps the items that `index` calls for, in their order, and renumbers the calls.
+// Keeps those items of a list that are used, in their order, and renumbers the indices into it.
 class Compaction {
  public:
   explicit Compaction(size_t count) : place_(count, kNone) {}

@@ -11,28 +11,30 @@
 namespace strad {
 
 struct MaterialLight {
-  std::string pattern;  // of material names, as a shell writes it
+  std::string pattern;  // of material names; a shell pattern
   Rgb radiance;         // W / (sr m^2)
 };
 
 struct ImportOptions : SkipOptions {
-  double scale = 1;  // metres in a unit of the file, > 0
+  double scale = 1;  // metres per unit of the file, > 0
   char up = 'y';     // the file's upward axis, 'y' or 'z'; the scene is turned so that y is up
-  std::vector<MaterialLight> lights;  // emission in place of the file's own; later ones win
-  int tessellate = 16;                // sides of a round POV-Ray object, >= 3
+  std::vector<MaterialLight> lights;  // replace the file's emission; later ones win
+  int tessellate = 16;                // sides of a POV-Ray sphere, cylinder, cone or disc, >= 3
 };
 
-// A surface that returns all light would keep it for ever.
+// Must be below 1: light between surfaces that reflect all of it never fades.
 constexpr float kMaxReflectance = 0.98f;
 
 // `reflectance` lowered to kMaxReflectance, which is reported. Throws BadInput beyond 0..1.
 Rgb limited_reflectance(Rgb reflectance, const std::string& file, uint32_t line, ImportReport* report);
 
-// What the material `name` emits: as the last light of `options` that means it says, else `emission`.
+// What the material `name` emits: the radiance of the last light in `options` whose pattern matches it, else
+// `emission`.
 Rgb overridden_emission(Rgb emission, const std::string& name, const ImportOptions& options);
 
-// The last steps of an import: lights, scale and upward axis (of spots and cameras too), vertices and texture
-// coordinates that nothing uses dropped, all checked. `name` is the file's in errors. Throws BadInput.
+// The last steps of an import. Sets the emission that `options.lights` asks for, drops vertices and texture
+// coordinates that are not used, applies the scale and the upward axis (also to spots and cameras), and
+// validates. `name` is the file's in errors. Throws BadInput.
 Scene finish_import(Scene scene, const ImportOptions& options, const std::string& name);
 
 }  // namespace strad

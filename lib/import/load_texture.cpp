@@ -7,7 +7,8 @@
 namespace strad {
 namespace {
 
-// load_image takes the numbers of 8-bit files to be on the sRGB curve; here they are light.
+// For a file of linear numbers. load_image takes 8-bit numbers to be on the sRGB curve: srgb_from_linear
+// undoes that, and srgb_byte then encodes them as the light that they are.
 SrgbImage srgb_from_linear_file(const std::string& path) {
   const Image loaded = load_image(path);
   SrgbImage picture;

@@ -1,4 +1,4 @@
-// Pictures that files of other programs name, as textures.
+// Pictures named in files of other programs, as textures.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@ namespace strad {
 struct TextureSource {
   std::string path;
   std::string name;     // as the file spells it
-  bool linear = false;  // its numbers are light, not on the sRGB curve
-  std::string file;     // where it is named
+  bool linear = false;  // its numbers are linear, not on the sRGB curve
+  std::string file;     // the file that names the picture, and the line, for errors
   uint32_t line = 0;
 };
 
-// Throws BadInput, which names where it is named.
+// Throws BadInput at source.file and source.line.
 Texture load_texture(const TextureSource& source);
 
 }  // namespace strad

@@ -8,8 +8,8 @@
 namespace strad {
 
 struct SkipOptions {
-  bool skip_missing = false;  // leave out files and materials that are not there, in place of refusing
-  bool skip_unknown = false;  // leave out statements that have no meaning here, in place of refusing
+  bool skip_missing = false;  // leave out files and materials that are not there, instead of refusing them
+  bool skip_unknown = false;  // leave out statements that have no meaning here, instead of refusing them
 };
 
 // What was left out or changed. Each kind is one line: its first place in the file, and how often it occurs.
@@ -26,8 +26,8 @@ class ImportReport {
   std::vector<Entry> entries_;
 };
 
-// `what` says that a file or a material is missing. Throws BadInput, or reports that it is left out, as told
-// by options.skip_missing.
+// For a file or material that is missing, as `what` says. Throws BadInput, or with options.skip_missing
+// reports that it is left out.
 void refuse_missing(const std::string& what, const std::string& file, uint32_t line,
                     const SkipOptions& options, ImportReport* report);
 

@@ -1,4 +1,4 @@
-// The materials that an OBJ file names, out of its MTL files.
+// The materials that an OBJ file uses, read from its MTL files.
 #include "import/obj/materials.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class MaterialLoader {
   void make(const ObjScan::Named& wanted);
 
  private:
-  // Refuses, or reports where missing things are to be skipped.
+  // See refuse_missing.
   void missing(const std::string& what, const std::string& file, uint32_t line) {
     refuse_missing(what, file, line, options_, report_);
   }
@@ -51,7 +51,7 @@ std::string found_path(const std::string& file, const std::string& reference) {
   return std::filesystem::exists(slashed) ? slashed : path;
 }
 
-// One name with blanks, or several names: the former if there is such a file.
+// The rest of a mtllib line is one name with blanks if there is such a file, else several names.
 void MaterialLoader::read_library(const ObjScan::Named& library) {
   if (std::filesystem::exists(found_path(path_, library.name)))
     return read_mtl_file(library.name, library.line);

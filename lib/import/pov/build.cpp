@@ -1,4 +1,4 @@
-// What a POV-Ray file describes, put into a scene: surfaces, materials, the camera.
+// Puts what a POV-Ray file describes into a scene: surfaces, materials, the camera.
 #include "import/pov/build.h"
 
 #include <cmath>
@@ -12,7 +12,9 @@
 namespace strad {
 
 uint32_t PovBuilder::vertex(Vec3 p) {
-  const auto rounded = [](double x) { return static_cast<float>(x) + 0.0f; };  // as streams hold them, no -0
+  const auto rounded = [](double x) {
+    return static_cast<float>(x) + 0.0f;
+  };  // to float, as in streams; + 0 turns -0 into 0
   p = placed(p);
   const std::tuple key{rounded(p.x), rounded(p.y), rounded(p.z)};
   const auto [found, is_new] = vertices_.insert({key, static_cast<uint32_t>(scene_.vertices.size())});
@@ -68,7 +70,8 @@ uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& o
   return found->second;
 }
 
-// Lamps that cast no shadow are there to be looked at; the light that they hide is what lights the scene.
+// A glowing surface with no_shadow is the picture of a lamp around a light source. The light source lights
+// the scene, so the surface must not.
 bool PovBuilder::left_out(const PovFacet& facet, const PovObject& object) {
   if (!facet.no_shadow) return false;
   if (is_black(facet.surface->emission)) {
@@ -95,7 +98,7 @@ void PovBuilder::add_facet(const PovFacet& facet, const PovObject& object, uint3
     outline.push_back(scene_.vertices[corners.back()]);
   }
   const size_t count = corners.size();
-  // Mirrored space turns outlines around.
+  // A mirrored outline runs the other way round.
   const auto at = [&](size_t i) { return mirror_ ? count - 1 - i : i; };
   if (mirror_) std::reverse(outline.begin(), outline.end());
   std::vector<OutlinePiece> pieces;

@@ -1,4 +1,4 @@
-// What a POV-Ray file describes, put into a scene.
+// Puts what a POV-Ray file describes into a scene.
 #pragma once
 
 #include <map>
@@ -19,9 +19,9 @@ class PovBuilder {
   PovBuilder(const ImportOptions& options, ImportReport* report, bool mirror)
       : options_(options), report_(report), mirror_(mirror) {}
 
-  // Adds the surfaces of an object, under `name` or, if it is taken, that and a number.
+  // Adds the surfaces of an object. Its name is `name`, with a number behind it if that is taken.
   void add_object(const std::string& name, const PovObject& object);
-  // All objects must be there: a light that does not fade takes its strength from where they are.
+  // REQUIRES: all objects are added. The intensity of a light that does not fade depends on where they are.
   void add_light(const PovLight& light);
   void add_camera(const PovCamera& camera);
   Scene take() { return std::move(scene_); }

@@ -9,7 +9,7 @@
 namespace strad {
 namespace {
 
-// The whole angle between left and right, in degrees.
+// `angle`: the horizontal field of view, degrees.
 void set_angle(PovCamera* camera, double angle) {
   if (!(angle > 0 && angle < 180))
     fail_at(camera->place.file, camera->place.line, "the angle of the camera is not within 0 to 180 degrees");
@@ -124,7 +124,7 @@ void PovSceneReader::camera_item(PovCamera* camera, CameraAim* aim) {
   }
 }
 
-// POV-Ray's order: what `angle` and `look_at` say counts at the end, wherever they stand.
+// As in POV-Ray, `angle` and `look_at` are applied after all other items, wherever they stand.
 PovCamera PovSceneReader::camera_block() {
   PovCamera camera;
   camera.place = in_.place();
@@ -135,7 +135,7 @@ PovCamera PovSceneReader::camera_block() {
     camera.name = name;
   }
   while (!in_.take_if("}")) camera_item(&camera, &aim);
-  // Panoramas may see more than half a turn; they are refused when they are used.
+  // The angle of a panorama may be 180 degrees or more. Such cameras are refused only if they are used.
   if (aim.angle) set_angle(&camera, camera.problem ? 90 : *aim.angle);
   if (aim.look_at) turn_to(&camera, *aim.look_at);
   camera.location = aim.moved.point(camera.location);

@@ -1,4 +1,4 @@
-// POV-Ray's triangles, polygons and meshes, read.
+// Reads POV-Ray's triangles, polygons and meshes.
 #include "base/error.h"
 #include "base/text.h"
 #include "import/pov/scene_reader.h"
@@ -7,7 +7,8 @@
 namespace strad {
 namespace {
 
-// POV-Ray's outside of a triangle: its normal is that of a left-handed space.
+// Adds a triangle that is wound as in POV-Ray: clockwise seen from outside, in coordinates of a right-handed
+// space.
 void add_triangle(PovObject* object, uint32_t a, uint32_t b, uint32_t c, PovSurfacePointer surface) {
   PovFacet facet;
   facet.corners = {a, c, b};
@@ -17,7 +18,7 @@ void add_triangle(PovObject* object, uint32_t a, uint32_t b, uint32_t c, PovSurf
 
 }  // namespace
 
-// a, b, c, or with normals a, na, b, nb, c, nc.
+// Corners a, b, c; of a smooth triangle each is followed by its normal.
 PovObject PovSceneReader::triangle_shape(bool smooth) {
   PovObject made;
   for (int i = 0; i < 3; ++i) {
@@ -29,7 +30,7 @@ PovObject PovSceneReader::triangle_shape(bool smooth) {
   return made;
 }
 
-// A ring ends where its first point comes again.
+// A ring ends where its first point is repeated.
 PovObject PovSceneReader::polygon_shape() {
   const PovPlace at = in_.place();
   const int count = in_.integer();
@@ -64,7 +65,7 @@ PovObject PovSceneReader::mesh_shape() {
     PovSurfacePointer surface;
     while (!in_.take_if("}")) {
       if (in_.take_if("texture")) {
-        const auto known = in_.named<PovTexture>();  // texture Name, without braces, is old usage
+        const auto known = in_.named<PovTexture>();  // `texture Name` without braces is an old form
         surface = surface_of(known ? *known : texture_block(default_texture_));
       } else if (in_.peek().kind == PovKind::kWord) {
         in_.skip_item();  // uv_vectors, texture_list
@@ -93,7 +94,7 @@ PovMeshLists PovSceneReader::mesh2_lists(PovObject* made) {
     if (!known) break;
     in_.take();
     in_.expect("{");
-    in_.integer();  // the count: what is there counts
+    in_.integer();  // the stated count is not needed
     in_.skip_comma();
     while (!in_.take_if("}")) {
       if (kind == "vertex_vectors") {
@@ -119,7 +120,7 @@ std::array<int, 3> PovSceneReader::index_triple() {
   return {static_cast<int>(indices.x), static_cast<int>(indices.y), static_cast<int>(indices.z)};
 }
 
-// <a, b, c>, behind it no number, that of a texture, or one for each corner.
+// <a, b, c>, then nothing, the index of a texture, or three: one per corner.
 void PovSceneReader::mesh2_face(PovMeshLists* lists) {
   PovMeshLists::Face face;
   face.line = in_.peek().line;

@@ -1,4 +1,4 @@
-// POV-Ray's objects, their modifiers, and what stands alone in a file.
+// POV-Ray's objects, their modifiers, and the statements of a file.
 #include <algorithm>
 
 #include "base/error.h"
@@ -23,7 +23,7 @@ bool is_unknown_object(std::string_view word) {
              "sor",           "sphere_sweep",  "superellipsoid", "text",       "torus"});
 }
 
-// Adds `child`, which was declared as `name` or has none, to a compound object.
+// Adds `child` to a compound object. `name`: that of its declaration, or empty.
 void add_child(PovObject* object, UniqueNames* names, const PovObject& child, const std::string& name) {
   const auto first_point = static_cast<uint32_t>(object->points.size());
   const auto first_uv = static_cast<uint32_t>(object->uvs.size());
@@ -55,7 +55,7 @@ std::any PovSceneReader::describe(std::string_view word) {
   if (is_object(word) || is_unknown_object(word)) return std::make_shared<const PovObject>(object());
   if (in_.take_if("texture")) {
     PovTexture texture = texture_block(default_texture_);
-    // Of layers, the last is on top.
+    // Of layered textures the last is on top.
     while (in_.next_is_plainly("texture")) in_.take(), texture = texture_block(default_texture_);
     return texture;
   }
@@ -158,7 +158,7 @@ PovObject PovSceneReader::shape(const std::string& kind, std::string* name) {
   if (kind == "mesh") return mesh_shape();
   if (kind == "mesh2") return mesh2_shape();
   if (kind == "union" || kind == "merge") return union_shape();
-  // object { ... }: a light, or another object
+  // object { ... } holds a light or another object.
   PovObject made;
   if (auto light = in_.named<PovLight>(name)) {
     made.lights.push_back(*light);
@@ -194,7 +194,8 @@ PovObject PovSceneReader::union_shape() {
   return made;
 }
 
-// clipped_by or bounded_by { a convex object }: what a plane needs. It moves with the plane from here on.
+// clipped_by or bounded_by { a convex object } of a plane: makes it finite. Later transformations move the
+// cut plane as a whole.
 void PovSceneReader::clip(PovObject* object, Modifiers* modifiers) {
   const PovPlace at = in_.place();
   in_.take();

@@ -8,7 +8,7 @@
 namespace strad {
 namespace {
 
-// POV-Ray's own camera has z ahead, y up and x to the right.
+// POV-Ray's default camera is left-handed: z ahead, y up, x to the right.
 bool is_left_handed(const PovCamera& camera) {
   return dot(cross(camera.direction, camera.up), camera.right) < 0;
 }

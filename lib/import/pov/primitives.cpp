@@ -1,4 +1,4 @@
-// POV-Ray's simple objects and transformations, read.
+// Reads POV-Ray's simple objects and transformations.
 #include <cmath>
 
 #include "base/error.h"
@@ -86,7 +86,7 @@ PovTransform PovSceneReader::matrix() {
   return transform;
 }
 
-// What follows `transform`: a name, or names and transformations in braces.
+// The rest of a `transform`: a name, or names and transformations in braces.
 PovTransform PovSceneReader::transform_block() {
   const PovInterpreter::Deeper deeper(&in_);
   PovTransform transform;

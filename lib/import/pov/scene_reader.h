@@ -1,4 +1,4 @@
-// Reads what POV-Ray's language describes: textures, objects, lights and the camera.
+// Reads POV-Ray's textures, objects, lights and camera.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace strad {
 
-// The lists of a mesh2, as far as they are no points.
+// The lists of a mesh2, except its points and texture coordinates.
 struct PovMeshLists {
   struct Face {
     std::array<int, 3> corners{}, textures{};
@@ -25,16 +25,16 @@ struct PovMeshLists {
 
 class PovSceneReader : private PovStatements {
  public:
-  // Both must outlive it.
+  // The arguments must outlive the reader.
   PovSceneReader(const ImportOptions& options, ImportReport* report)
       : options_(options), report_(report), in_(options, report, this) {}
 
   struct Placed {
-    std::string name;  // of the declaration it comes from, or what it is
+    std::string name;  // of its declaration, else its kind, such as "sphere"
     PovObject object;
   };
 
-  // All that stands in the file at `path`. Throws IoError or BadInput.
+  // Reads the file at `path`. Throws IoError or BadInput.
   void read(const std::string& path);
 
   const std::vector<Placed>& placed() const { return placed_; }
@@ -46,7 +46,7 @@ class PovSceneReader : private PovStatements {
   void default_block() override;
   void statement();
 
-  // Textures, in textures.cpp. Each from its opening brace.
+  // Textures, in textures.cpp. Each function reads from the opening brace.
   PovTexture texture_block(const PovTexture& base);
   PovPigment pigment_block(const PovPigment& base);
   PovFinish finish_block(const PovFinish& base);
@@ -62,7 +62,7 @@ class PovSceneReader : private PovStatements {
     std::optional<PovTexture> texture;
     bool no_shadow = false, no_image = false;
   };
-  PovObject object(std::string* name = nullptr);  // from its word
+  PovObject object(std::string* name = nullptr);  // from the word that says its kind
   PovObject shape(const std::string& kind, std::string* name);
   PovObject sphere_shape();
   PovObject cone_shape(bool is_cylinder);
@@ -79,17 +79,17 @@ class PovSceneReader : private PovStatements {
   void clip(PovObject* object, Modifiers* modifiers);
   void modifiers(PovObject* object);
   bool modifier(Modifiers* modifiers, PovObject* object);
-  bool transformation(PovTransform* transform);  // one, if it is next
+  bool transformation(PovTransform* transform);  // takes one if it is next
   PovTransform transform_block();
   PovTransform matrix();
   void finish_object(PovObject* object, const Modifiers& modifiers);
 
-  // Lights and camera, in lights.cpp. Each from its opening brace.
+  // Lights and camera, in lights.cpp. Each block is read from its opening brace.
   PovLight light_block();
   void light_item(PovLight* light);
   PovCamera camera_block();
   struct CameraAim {
-    std::optional<double> angle;  // degrees, from left to right
+    std::optional<double> angle;  // horizontal field of view, degrees
     std::optional<Vec3> look_at;
     PovTransform moved;
   };

@@ -86,7 +86,7 @@ PovPigment PovSceneReader::pigment_block(const PovPigment& base) {
     } else if (in_.peek().kind == PovKind::kWord) {
       if (!pigment.problem)
         pigment.problem = PovProblem{"pigment " + std::string(in_.peek().text), in_.place()};
-      pigment.colour = {0.5f, 0.5f, 0.5f};  // if it is skipped
+      pigment.colour = {0.5f, 0.5f, 0.5f};  // used only if the problem is skipped
       in_.skip_item();
     } else {
       in_.fail_expected("a colour or }");
@@ -174,7 +174,8 @@ void PovSceneReader::default_block() {
   }
 }
 
-// Ambient light is an estimate of what is computed here. Only where nothing is reflected does it mean a lamp.
+// `ambient` stands for indirect light, which strad computes, so it is ignored. Only a surface that reflects
+// nothing is taken to emit it.
 PovSurfacePointer PovSceneReader::surface_of(const PovTexture& texture) {
   auto surface = std::make_shared<PovSurface>();
   const PovPigment& pigment = texture.pigment;
@@ -191,7 +192,7 @@ PovSurfacePointer PovSceneReader::surface_of(const PovTexture& texture) {
   return surface;
 }
 
-// Of the three corners of a triangle.
+// The mean of the surfaces at the three corners of a triangle.
 PovSurfacePointer PovSceneReader::mean_of(const PovSurfacePointer& a, const PovSurfacePointer& b,
                                           const PovSurfacePointer& c) {
   if (a == b && b == c) return a;
@@ -199,7 +200,8 @@ PovSurfacePointer PovSceneReader::mean_of(const PovSurfacePointer& a, const PovS
   const float third = 1.0f / 3;
   mean->reflectance = third * (a->reflectance + b->reflectance + c->reflectance);
   mean->emission = third * (a->emission + b->emission + c->emission);
-  // One third three times is not always one: what is the same in all corners stays as it is.
+  // Three times a rounded third is not always 1: a reflectance that is the same in all corners is kept as it
+  // is.
   if (a->reflectance == b->reflectance && b->reflectance == c->reflectance)
     mean->reflectance = a->reflectance;
   for (const PovSurfacePointer& other : {b, c})

@@ -1,4 +1,4 @@
-// Names of which each is given out once.
+// Makes names unique.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@ namespace strad {
 
 class UniqueNames {
  public:
-  // `name`, from its second use on with a number behind it.
+  // `name` at its first use; then `name` with a number behind it: lamp, lamp_2, lamp_3.
   std::string unique(const std::string& name) {
     const int use = ++uses_[name];
     return use == 1 ? name : name + "_" + std::to_string(use);

@@ -1,4 +1,4 @@
-// Colours: arithmetic by channel, and what is told of them.
+// Colours: arithmetic by channel, luminance, largest channel, black and finite colours.
 #include "base/rgb.h"
 
 #include <gtest/gtest.h>

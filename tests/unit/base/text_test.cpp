@@ -1,4 +1,4 @@
-// Text files of other programs: what counts as text, as a number, as a word and as a line.
+// Text files of other programs: what is accepted as text, and how numbers, words and lines are read.
 #include "base/text.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,9 @@ TEST(Text, FilesThatAreNoTextAreRefused) {
   EXPECT_EQ(refusal_of("plain\n"), "");
   EXPECT_EQ(refusal_of("\xc3\xa9\n"), "");  // UTF-8
   EXPECT_EQ(refusal_of(""), ": is empty");
-  EXPECT_EQ(refusal_of("\xff\xfea"), ": is UTF-16 text, expected ASCII or UTF-8");
+  EXPECT_EQ(refusal_of("\xff\xfe"
+                       "a"),
+            ": is UTF-16 text, expected ASCII or UTF-8");
   EXPECT_EQ(refusal_of(std::string("ab\0c", 4)), ": is not a text file: byte 0 at offset 2");
   EXPECT_EQ(refusal_of("\x7f"), ": is not a text file: byte 127 at offset 0");
   EXPECT_THROW(read_text(testing::TempDir()), BadInput);
@@ -38,7 +40,8 @@ TEST(Text, FilesThatAreNoTextAreRefused) {
 
 TEST(Text, ByteOrderMarkIsTakenOff) {
   const std::string path = testing::TempDir() + "/text_bom.txt";
-  std::ofstream(path, std::ios::binary) << "\xef\xbb\xbfv 1";
+  std::ofstream(path, std::ios::binary) << "\xef\xbb\xbf"
+                                           "v 1";
   EXPECT_EQ(read_text(path), "v 1");
   std::filesystem::remove(path);
 }

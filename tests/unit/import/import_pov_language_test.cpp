@@ -1,4 +1,4 @@
-// POV-Ray's language without scenes: what the interpreter asks its user, and what it makes of the answers.
+// The POV-Ray interpreter with statements of its own, without scenes: what it asks for, and what names give.
 #include <gtest/gtest.h>
 
 #include <filesystem>

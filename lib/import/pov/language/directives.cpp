@@ -10,7 +10,7 @@
 namespace strad {
 namespace {
 
-// Turns of loops and calls of macros: beyond, a loop is taken for endless.
+// Turns of loops and calls of macros. A file that takes more is refused as endless.
 constexpr size_t kMaxSteps = 5'000'000;
 
 bool opens_block(std::string_view directive) {
@@ -24,13 +24,14 @@ bool shapes_blocks(std::string_view directive) {
 
 }  // namespace
 
-// A declaration ends the expression before it, for which it must not be obeyed too early.
+// Whether `symbol` continues an expression. Directives such as #declare end the expression before them, and
+// must not be obeyed before its value is used.
 bool PovInterpreter::operator_is_next(std::string_view symbol) {
   if (raw().kind == PovKind::kDirective && !shapes_blocks(raw().text)) return false;
   return next_is(symbol);
 }
 
-// Obeys the directive that is next. Called with nothing but the raw token known.
+// Obeys the directive that is next.
 void PovInterpreter::obey() {
   const Deeper deeper(this);
   const std::string name(raw().text);
@@ -52,7 +53,7 @@ void PovInterpreter::obey() {
     if (take_if("unofficial")) take();
     numbers();
     if (next_is_plainly(";")) take();
-  } else if (name == "case" || name == "range") {  // reached from the case before: goes on
+  } else if (name == "case" || name == "range") {  // the case before it was taken and has no #break
     expect("(");
     while (!take_if(")")) take();
   } else if (name == "else" || name == "elseif") {  // the branch before it was taken
@@ -107,7 +108,8 @@ void PovInterpreter::push(Block::Kind kind, size_t start) {
   here().blocks.push_back(block);
 }
 
-// Over raw tokens, past the #else, #elseif, #case, #range or #end of the block we are in: which it was.
+// Skips tokens up to and including the next #else, #elseif, #case, #range or #end of the current block.
+// Returns which it was.
 std::string PovInterpreter::skip_branch() {
   for (int depth = 0;; ++here().next) {
     const PovToken& token = raw();
@@ -193,7 +195,7 @@ void PovInterpreter::obey_switch() {
   expect("(");
   const double wanted = number();
   expect(")");
-  // Behind `(X)` comes the first #case; branches of other blocks cannot be between.
+  // The first #case follows `(X)`, so the next branch is one of this block.
   for (std::string branch = skip_branch(); branch != "end"; branch = skip_branch()) {
     bool taken = branch == "else";
     if (branch == "case" || branch == "range") {
@@ -235,7 +237,7 @@ void PovInterpreter::obey_end() {
   } else if (block.kind == Block::kFor) {
     count_step();
     block.value += block.step;
-    // As POV-Ray does, with room for rounding.
+    // With room for rounding, as in POV-Ray.
     const bool runs = block.step > 0 ? block.value < block.last + 1e-10 * std::max(1.0, std::abs(block.last))
                                      : block.value > block.last - 1e-10 * std::max(1.0, std::abs(block.last));
     if (!runs) return blocks.pop_back();
@@ -264,7 +266,7 @@ void PovInterpreter::obey_include() {
   refuse_missing(what, from.file, from.line, options_, report_);
 }
 
-// Only notes where the body is: its tokens are read at each call.
+// Only remembers where the body begins. Its tokens are read at each call.
 void PovInterpreter::obey_macro() {
   PovMacro macro;
   macro.file = here().file;
@@ -284,7 +286,7 @@ void PovInterpreter::obey_macro() {
   declare(name, std::move(macro), false);
 }
 
-// At the macro's name.
+// Called at the macro's name.
 void PovInterpreter::call(PovMacro macro) {
   const Deeper deeper(this);
   count_step();

@@ -10,7 +10,7 @@
 namespace strad {
 namespace {
 
-// A number stands for a vector of it.
+// A number becomes a vector with that number in each part.
 PovNumbers promoted(PovNumbers from, int size) {
   if (from.size == 1)
     for (int i = 1; i < size; ++i) from[i] = from[0];
@@ -33,7 +33,7 @@ bool starts_colour(std::string_view word) {
                           "srgbft", "red", "green", "blue", "filter", "transmit"});
 }
 
-// Where a colour word puts the numbers that follow it.
+// The part of a colour that a word names; 5 if it names none.
 int first_part(std::string_view word) {
   const std::array<std::string_view, 5> parts{"red", "green", "blue", "filter", "transmit"};
   return static_cast<int>(std::find(parts.begin(), parts.end(), word) - parts.begin());
@@ -43,7 +43,7 @@ double linear_from_srgb_number(double s) {
   return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
 
-// What follows rgb, rgbf, rgbt and so on, as red, green, blue, filter, transmit.
+// The numbers after rgb, rgbf, rgbt and so on, in the order red, green, blue, filter, transmit.
 PovNumbers colour_from(std::string_view word, PovNumbers from) {
   const bool srgb = word.starts_with('s');
   if (srgb) word.remove_prefix(1);
@@ -360,7 +360,7 @@ PovValue PovInterpreter::array_value() {
   return array;
 }
 
-// Items are gathered as they come, so that a count that lies takes no memory.
+// Items are appended as they are read, so that a false count takes no memory.
 void PovInterpreter::fill_array(PovArray* array, size_t dimension, size_t* next) {
   expect("{");
   for (size_t i = 0; i < array->sizes[dimension]; ++i) {
@@ -395,7 +395,7 @@ PovValue PovInterpreter::value() {
   if (take_if("array")) return array_value();
   if (std::any described = statements_->describe(token.text); described.has_value()) return described;
   if (find(token.text)) return take_named();
-  // What is of no use here, such as `normal {...}` or `function (x, y) {...}`.
+  // A declaration that has no use here, such as `normal {...}` or `function (x, y) {...}`.
   take();
   while (token.text == "function" && !next_is("{") && peek().kind != PovKind::kEnd) take();
   if (!next_is("{"))

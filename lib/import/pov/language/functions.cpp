@@ -57,15 +57,16 @@ PovNumbers numbers_of(Vec3 v) {
   return n;
 }
 
-// About x, then y, then z. POV-Ray's space is left-handed: turns look clockwise against the axis, but the
-// numbers are those of counter-clockwise turns in a right-handed one.
+// Turns about x, then y, then z. POV-Ray's space is left-handed and its turns are too, so the coordinates are
+// those of counter-clockwise turns in a right-handed space.
 Vec3 turned(Vec3 v, Vec3 degrees) {
   v = rotate(rotation_about({1, 0, 0}, degrees.x * kDegree), v);
   v = rotate(rotation_about({0, 1, 0}, degrees.y * kDegree), v);
   return rotate(rotation_about({0, 0, 1}, degrees.z * kDegree), v);
 }
 
-// As many digits after the point as told; filled to the width with blanks, or zeros where it is negative.
+// `value` with `digits` digits after the point, padded to `width` with blanks, or with zeros if it is
+// negative.
 std::string written(double value, int width, int digits) {
   std::array<char, 400> text;
   const char* format = digits < 0 ? (width < 0 ? "%0*f" : "%*f") : (width < 0 ? "%0*.*f" : "%*.*f");
@@ -110,7 +111,7 @@ PovNumbers PovInterpreter::function(const std::string& name) {
   return function_of_other_things(name);
 }
 
-// rand() is POV-Ray's own, so that scenes of scattered things come out as in POV-Ray.
+// POV-Ray's own generator, so that scenes with random positions are the same as in POV-Ray.
 double PovInterpreter::random(size_t stream) {
   if (stream >= random_states_.size()) fail("rand of a stream that seed did not make");
   random_states_[stream] = random_states_[stream] * 1812433253u + 12345u;

@@ -1,4 +1,4 @@
-// The tokens of POV-Ray's scene files as a reader meets them, and the names that are declared.
+// The sequence of tokens, across includes and macros, and the names that are declared.
 #include "import/pov/language/interpreter.h"
 
 #include "base/text.h"

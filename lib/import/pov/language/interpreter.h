@@ -1,4 +1,4 @@
-// POV-Ray's scene description language, apart from what it describes: tokens, directives, names, expressions.
+// Interprets POV-Ray's scene description language: tokens, directives, names, expressions. Knows no scenes.
 #pragma once
 
 #include <map>
@@ -17,28 +17,28 @@ namespace strad {
 
 class PovInterpreter {
  public:
-  // The three must outlive it.
+  // The arguments must outlive the interpreter.
   PovInterpreter(const SkipOptions& options, ImportReport* report, PovStatements* statements)
       : options_(options), report_(report), statements_(statements) {}
   PovInterpreter(const PovInterpreter&) = delete;
   PovInterpreter& operator=(const PovInterpreter&) = delete;
 
-  // --- Tokens. Directives are obeyed on the way to the next token (directives.cpp).
+  // Tokens. Directives and macros before the next token are obeyed first.
   void open(const std::string& path);
   const PovToken& peek();
   PovToken take();
   bool next_is(std::string_view symbol_or_word);
-  bool next_is_plainly(std::string_view symbol_or_word);  // without obeying a directive that may be next
+  bool next_is_plainly(std::string_view symbol_or_word);  // without obeying directives: false if one is next
   bool take_if(std::string_view symbol_or_word);
   void expect(std::string_view symbol);
   void skip_comma() { take_if(","); }
   void skip_block();                                // from { to its }
-  void skip_item();                                 // a word and what belongs to it
+  void skip_item();                                 // a word and the expressions or the block after it
   PovPlace place();                                 // of the token that is next
   [[noreturn]] void fail(const std::string& what);  // at the token that is next
   [[noreturn]] void fail_expected(const std::string& expected);
 
-  // --- Expressions (expressions.cpp)
+  // Expressions.
   bool expression_is_next();
   PovNumbers numbers();
   double number();
@@ -47,7 +47,8 @@ class PovInterpreter {
   Vec2 vector2();
   Rgb colour();  // refuses transparency
   std::string string();
-  // The declared thing of type T that is next, taken; nothing if something else is next.
+  // Takes the next token if it is the name of a declared thing of type T, and returns the thing. Otherwise
+  // takes nothing and returns nothing.
   template <typename T>
   std::optional<T> named(std::string* name = nullptr) {
     if (peek().kind != PovKind::kWord) return {};
@@ -61,8 +62,7 @@ class PovInterpreter {
     return *thing;
   }
 
-  // Counts how deep expressions, blocks and directives lie in each other; refuses what would overrun the
-  // stack.
+  // Counts how deep expressions, blocks and directives are nested, and refuses what would overflow the stack.
   class Deeper {
    public:
     explicit Deeper(PovInterpreter* interpreter) : interpreter_(interpreter) {
@@ -79,10 +79,10 @@ class PovInterpreter {
  private:
   static constexpr size_t kNowhere = ~size_t{0};
   static constexpr int kMaxDepth = 250;
-  static constexpr size_t kMaxNesting = 100;  // includes and macros in each other
+  static constexpr size_t kMaxNesting = 100;  // of includes and macros
   struct Block {
     enum Kind { kIf, kWhile, kFor, kSwitch, kMacro } kind;
-    size_t start = 0;  // where a loop begins again
+    size_t start = 0;  // the first token of a loop's body or condition
     std::string variable;
     double value = 0, last = 0, step = 1;
     uint32_t line = 0;
@@ -92,7 +92,7 @@ class PovInterpreter {
     size_t next = 0;
     std::vector<Block> blocks;
     std::map<std::string, PovValue, std::less<>> locals;
-    size_t plain = kNowhere;  // this token is neither a directive nor a macro
+    size_t plain = kNowhere;  // the index of a token that is known to be no directive and no macro
   };
 
   Cursor& here() { return cursors_.back(); }
@@ -122,11 +122,11 @@ class PovInterpreter {
   std::string found_include(const std::string& name) const;
 
   // Expressions, in expressions.cpp.
-  PovValue value();  // anything that a name can stand for
-  bool truth();      // a number in parentheses, unlike 0
-  // The first element of an array, and of arrays in it; anything else itself.
+  PovValue value();  // anything that can be declared
+  bool truth();      // whether the number in parentheses that follows is not 0
+  // The first element of an array, or of the arrays in it; anything but an array as it is.
   static const PovValue* sample_of(const PovValue* value);
-  PovValue take_named();  // what the name that is next, with its indices, stands for
+  PovValue take_named();  // the value of the next name, with its indices if it is an array
   size_t indices_into(const PovArray& array, const std::string& name);
   PovValue array_value();
   void fill_array(PovArray* array, size_t dimension, size_t* next);
@@ -155,11 +155,12 @@ class PovInterpreter {
   const SkipOptions& options_;
   ImportReport* report_;
   PovStatements* statements_;
-  std::map<std::string, std::shared_ptr<const PovFile>> files_;  // kept: tokens point into their texts
+  std::map<std::string, std::shared_ptr<const PovFile>>
+      files_;  // by path; kept because tokens point into their texts
   std::vector<Cursor> cursors_;
   std::map<std::string, PovValue, std::less<>> globals_;
   std::vector<uint32_t> random_states_;
-  size_t steps_ = 0;  // turns of loops and calls of macros so far
+  size_t steps_ = 0;  // turns of loops and calls of macros
   int depth_ = 0;
 };
 

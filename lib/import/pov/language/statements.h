@@ -1,5 +1,4 @@
-// What POV-Ray's language is used for: the interpreter knows expressions and directives, and asks here about
-// all else.
+// What a user of the POV-Ray interpreter implements: the statements that describe a scene.
 #pragma once
 
 #include <any>
@@ -11,12 +10,12 @@ namespace strad {
 class PovStatements {
  public:
   virtual ~PovStatements() = default;
-  // The value of a declaration that begins with `word`, the token that is next: a texture, an object and so
-  // on. Empty if it is none of these; then no token is taken.
+  // Reads the value of a declaration, such as a texture or an object. `word` is its first token, which is
+  // next. Empty if it is none that the user knows; then no token is taken.
   virtual std::any describe(std::string_view word) = 0;
-  // `value`, which came from `describe`, is about to be declared as `name`.
+  // Called before `value`, which came from `describe`, is declared as `name`.
   virtual void name_declared(const std::string& name, std::any* value) = 0;
-  // What follows #default, from its {.
+  // Reads the block of #default, from its {.
   virtual void default_block() = 0;
 };
 

@@ -1,5 +1,5 @@
-// What a name can stand for in POV-Ray's language: numbers, strings, arrays, macros, and things that only its
-// user knows.
+// Values of POV-Ray's language: numbers, strings, arrays, macros, and those that only the interpreter's user
+// knows.
 #pragma once
 
 #include <any>
@@ -17,17 +17,18 @@
 
 namespace strad {
 
-// A place in a file, for what is complained about only when it is used.
+// A place in a file.
 struct PovPlace {
   std::string file;
   uint32_t line = 0;
 };
+// Something that cannot be imported. It is refused only where it is used.
 struct PovProblem {
   std::string what;
   PovPlace place;
 };
 
-// Throws BadInput, or reports that it is left out, as told by options.skip_unknown.
+// Throws BadInput, or with options.skip_unknown reports that it is left out.
 void refuse(const PovProblem& problem, const SkipOptions& options, ImportReport* report);
 
 // A number, a vector or a colour (red, green, blue, filter, transmit).
@@ -53,7 +54,7 @@ struct PovMacro {
 // Declared, but of no use here: an interior, a normal, a function.
 struct PovIgnored {};
 
-// std::any: what PovStatements describes.
+// std::any holds what PovStatements::describe returns.
 struct PovArray;
 using PovValue =
     std::variant<PovIgnored, PovNumbers, std::string, std::shared_ptr<PovArray>, PovMacro, std::any>;
@@ -68,7 +69,7 @@ constexpr bool is_kind_of(const std::variant<Kinds...>*) {
   return (std::is_same_v<T, Kinds> || ...);
 }
 
-// The thing of type T that `value` is, or null if it is something else.
+// The value as a T, or null if it is of another type.
 template <typename T>
 const T* thing_in(const PovValue& value) {
   if constexpr (is_kind_of<T>(static_cast<PovValue*>(nullptr))) {
