@@ -24,15 +24,12 @@ bench: build  ## error against CPU seconds, acceleration, continuity, as tables
 	@.ci/install bench
 	@PATH="$(abspath $(BUILD))/bin:$$PATH" bash tests/bench/bench.sh
 
-lint:  ## formatting, a second compiler's warnings, clang-tidy, man pages, types defined twice
-	@.ci/install build check lint
-
 paper: build  ## tables and figures of the 2001 paper made again, as one page: build/paper/index.html
 	@.ci/install bench
 	@PATH="$(abspath $(BUILD))/bin:$$PATH" bash tests/paper/paper.sh $(BUILD)/paper
 
-lint: configure  ## formatting, warnings of a second compiler, man pages
-	@.ci/install lint check
+lint:  ## formatting, a second compiler's warnings, clang-tidy, man pages, types defined twice
+	@.ci/install build check lint
 	@clang-format --dry-run --Werror $(sources)
 	@mandoc -T lint -W warning man/*.[157]
 	@mkdir -p $(BUILD)/lint

@@ -1,4 +1,4 @@
-// Sets that grow together: which things are connected.
+// Disjoint sets that are joined step by step: which things are connected.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// The two ways in which strad's library fails; their text says file, place, what was found and expected.
+// The two kinds of errors that the library throws. Their text names the file and the place, and says what was
+// found and what was expected.
 #pragma once
 
 #include <stdexcept>

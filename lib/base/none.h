@@ -1,4 +1,4 @@
-// The index that stands for nothing.
+// The index that means "none".
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 
 namespace strad {
 
-// Number of threads used by `parallel_for` from now on; 0: all cores. Call once, at the start of a tool.
+// Sets the number of threads that `parallel_for` uses; 0: all cores. Call once, at the start of a tool.
 void set_thread_count(int threads);
 int thread_count();
 

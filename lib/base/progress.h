@@ -1,4 +1,4 @@
-// How long work says how far it is.
+// How a long computation reports its progress.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 
 namespace strad {
 
-// Called with the fraction done, in [0, 1], and what is being done. Empty: nobody wants to know.
+// Called with the fraction done, in [0, 1], and the name of the current step. May be empty: no reports.
 using Progress = std::function<void(double, const std::string&)>;
 
 }  // namespace strad

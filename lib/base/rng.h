@@ -1,4 +1,4 @@
-// Counter-based random numbers: a value depends only on what it is for, never on the order of calls.
+// Counter-based random numbers: a value depends on its key only, never on the order of calls.
 #pragma once
 
 #include <cstdint>

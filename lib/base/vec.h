@@ -8,6 +8,7 @@
 namespace strad {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kDegree = kPi / 180;  // radians
 
 struct Vec3 {
   double x = 0, y = 0, z = 0;
@@ -44,6 +45,10 @@ inline Vec3 normalized(Vec3 a) {
 inline Vec3 lerp(Vec3 a, Vec3 b, double s) { return (1 - s) * a + s * b; }
 inline bool is_finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
+inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+// The z component of the cross product: positive if `b` is counter-clockwise of `a`.
+inline double cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+
 // Axis-aligned box; empty when any lower > upper.
 struct Box {
   Vec3 lower{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
@@ -73,7 +78,7 @@ struct Box {
       if (a > near) near = a;
       if (b < far) far = b;
     }
-    return near <= far * (1 + 1e-6);  // what a ray tracer in floats may still call a hit
+    return near <= far * (1 + 1e-6);  // room for rounding: a ray tracer in floats may still report a hit
   }
 };
 

@@ -1,4 +1,4 @@
-// OpenEXR files, written without the many libraries that other formats ask for.
+// Writes OpenEXR files with OpenEXR alone, without loading OpenImageIO.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace strad {
 
-// Half floats, ZIP. What went wrong, or nothing.
+// Half floats, ZIP compression. Returns an error message, empty for success.
 std::string write_exr(const std::string& path, const Image& image);
 
 }  // namespace strad

@@ -53,7 +53,7 @@ std::string format_of(const std::string& path) {
 
 bool is_pnm_format(const std::string& format) { return format == "ppm" || format == "pfm"; }
 
-// Written without the module.
+// Formats that are written without the module.
 bool is_own_format(const std::string& format) {
   return is_pnm_format(format) || format == "exr" || format == "png";
 }

@@ -1,6 +1,6 @@
-// Pictures in files. PPM and PFM are read and written here, EXR and PNG written with their own libraries; all
-// else goes through OpenImageIO, which lives in a module that is loaded when the first such file is touched
-// (it costs 0.3 s, four times a small frame).
+// Pictures in files. PPM and PFM are read and written here; EXR and PNG are written with their own libraries.
+// All other formats go through OpenImageIO. It is in a module that is loaded at the first such file, because
+// loading takes 0.3 s, four times as long as a small frame.
 #pragma once
 
 #include <string>
@@ -9,20 +9,21 @@
 
 namespace strad {
 
-// Linear RGB: whole numbers are taken to be on the sRGB curve, floats to be linear; grey fills all channels
-// and alpha is dropped. "-" is standard input, for PPM and PFM. Throws IoError or BadInput beginning with the
+// Linear RGB. Integers are taken to be on the sRGB curve, floats to be linear. Grey fills all channels, alpha
+// is dropped. "-" is standard input, for PPM and PFM. Throws IoError or BadInput beginning with the
 // path.
 Image load_image(const std::string& path);
 
-// The same as 8-bit sRGB, byte for byte what an 8-bit file holds.
+// The same as 8-bit sRGB. The bytes of an 8-bit file are kept as they are.
 SrgbImage load_srgb_image(const std::string& path);
 
 // The extension names the format. EXR: half floats, those above the largest half clamped to it, equal pixels
-// giving equal bytes. Whole numbers are on the sRGB curve: 16 bits in TIFF, 8 elsewhere. The file is written
-// beside and renamed, so it is whole or absent.
+// giving equal bytes. Integer formats are on the sRGB curve: 16 bits in TIFF, 8 elsewhere. The file is whole
+// or absent: it is written under another name and renamed.
 void save_image(const std::string& path, const Image& image);
 
-// Throws BadInput unless `save_image` knows the format of `path`; for tools that work long before they save.
+// Throws BadInput unless `save_image` knows the format of `path`. For tools that compute for long before they
+// save.
 void require_image_format(const std::string& path);
 
 }  // namespace strad

@@ -22,7 +22,7 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-// A picture as texture files hold it: 8 bits a channel on the sRGB curve, rows from the top.
+// A picture as texture files hold it: 8 bits per channel on the sRGB curve, rows from the top.
 struct SrgbImage {
   uint32_t width = 0, height = 0;
   std::vector<uint8_t> bytes;  // width * height * 3

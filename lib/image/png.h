@@ -1,4 +1,4 @@
-// PNG files, written without the many libraries that other formats ask for.
+// Writes PNG files with libpng alone, without loading OpenImageIO.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace strad {
 
-// 8 bits on the sRGB curve. What went wrong, or nothing.
+// 8 bits on the sRGB curve. Returns an error message, empty for success.
 std::string write_png(const std::string& path, const Image& image);
 
 }  // namespace strad

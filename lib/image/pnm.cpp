@@ -47,7 +47,7 @@ class Header {
                      expected);
     return value;
   }
-  // What follows the one white space that ends the header.
+  // The data, which begins after the one white space that ends the header.
   std::string_view rest() const { return at_ < bytes_.size() ? bytes_.substr(at_ + 1) : std::string_view{}; }
 
  private:
@@ -73,7 +73,7 @@ const unsigned char* samples_of(std::string_view data, uint64_t expected, const 
 void read_ppm_pixels(std::string_view data, uint32_t maximum, const std::string& name, Image* image) {
   if (!(maximum >= 1 && maximum <= 65535))
     throw BadInput(name + ": found maximum " + std::to_string(maximum) + ", expected 1 to 65535");
-  const uint64_t width = maximum > 255 ? 2 : 1;  // bytes a sample, the high one first
+  const uint64_t width = maximum > 255 ? 2 : 1;  // bytes per sample, the high one first
   const unsigned char* sample = samples_of(data, image->width * uint64_t{image->height} * 3 * width, name);
   image->pixels.resize(size_t{image->width} * image->height);
   for (Rgb& pixel : image->pixels)

@@ -1,4 +1,4 @@
-// Pictures as bytes down a pipe: binary PPM (8 bits on the sRGB curve) and PFM (linear floats).
+// Pictures as bytes, for pipes and files: binary PPM (8 bits on the sRGB curve) and PFM (linear floats).
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ std::string encode_pfm(const Image& image);
 // name. Bytes after the picture are refused: a file holds one.
 Image decode_pnm(std::string_view bytes, const std::string& name);
 
-// The start of a PPM or PFM file?
+// Whether the bytes begin as a PPM or PFM file does.
 bool is_pnm(std::string_view bytes);
 
 }  // namespace strad

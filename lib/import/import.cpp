@@ -15,7 +15,7 @@ bool means(const MaterialLight& light, const std::string& material) {
   return fnmatch(light.pattern.c_str(), material.c_str(), 0) == 0;
 }
 
-// Each light must mean a material.
+// Throws BadInput for a light that matches no material.
 void override_emissions(Scene* scene, const ImportOptions& options, const std::string& name) {
   for (const MaterialLight& light : options.lights) {
     const auto meant = [&](const Material& material) { return means(light, material.name); };
@@ -26,7 +26,7 @@ void override_emissions(Scene* scene, const ImportOptions& options, const std::s
     material.emission = overridden_emission(material.emission, material.name, options);
 }
 
-// y up, in metres.
+// To y up and metres.
 struct Turned {
   double scale;
   bool z_is_up;
@@ -52,7 +52,7 @@ void turn_scene(Scene* scene, const Turned& turned) {
   }
 }
 
-// Keeps the items that `index` calls for, in their order, and renumbers the calls.
+// Keeps those items of a list that are used, in their order, and renumbers the indices into it.
 class Compaction {
  public:
   explicit Compaction(size_t count) : place_(count, kNone) {}
@@ -94,26 +94,6 @@ void drop_unused_points(Scene* scene) {
 }
 
 }  // namespace
-
-void ImportReport::add(const std::string& what, const std::string& file, uint32_t line) {
-  for (Entry& entry : entries_) {
-    if (entry.what == what) {
-      ++entry.count;
-      if (entry.file == file) entry.line = std::min(entry.line, line);
-      return;
-    }
-  }
-  entries_.push_back({what, file, line, 1});
-}
-
-std::vector<std::string> ImportReport::lines() const {
-  std::vector<std::string> lines;
-  for (const Entry& entry : entries_) {
-    const std::string count = entry.count > 1 ? " (" + std::to_string(entry.count) + " in all)" : "";
-    lines.push_back(entry.file + ":" + std::to_string(entry.line) + ": " + entry.what + count);
-  }
-  return lines;
-}
 
 Rgb limited_reflectance(Rgb reflectance, const std::string& file, uint32_t line, ImportReport* report) {
   for (int c = 0; c < 3; ++c) {

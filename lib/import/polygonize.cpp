@@ -7,10 +7,11 @@
 namespace strad {
 namespace {
 
-// Lengths below which coordinates say nothing, from the outline's extent and the rounding of its floats.
+// Lengths that are lost to rounding, from the outline's extent and the precision of its floats.
 struct Tolerance {
   double point = 0;  // points closer than this are one
-  double plane = 0;  // points closer than this to a plane lie in it: a tenth of what ray tracing steps over
+  double plane =
+      0;  // points closer than this to a plane lie in it; a tenth of the offset at which rays start
 };
 
 Tolerance tolerance_of(std::span<const Vec3> outline) {
@@ -23,19 +24,9 @@ Tolerance tolerance_of(std::span<const Vec3> outline) {
   return {1e-7 * box.diagonal() + rounding, 1e-6 * box.diagonal() + 2 * rounding};
 }
 
-// Twice the vector area (Newell): along the normal of the best plane.
-Vec3 doubled_area(std::span<const Vec3> outline) {
-  Vec3 sum;
-  for (size_t i = 1; i + 1 < outline.size(); ++i)
-    sum += cross(outline[i] - outline[0], outline[i + 1] - outline[0]);
-  return sum;
-}
-
-double cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 double length2d(Vec2 a) { return std::hypot(a.x, a.y); }
 
-// An outline in its own plane, being cut up. Corners are named by their positions in the outline.
+// Cuts an outline in its own plane. Corners are identified by their positions in the outline.
 class EarClipper {
  public:
   EarClipper(std::vector<Vec2> points, double tolerance) : points_(std::move(points)), tolerance_(tolerance) {
@@ -45,7 +36,7 @@ class EarClipper {
     drop_idle_corners();
   }
   const std::vector<int>& ring() const { return ring_; }
-  // Is the rest convex, each corner by more than the tolerance?
+  // Whether what is left is convex, each corner by more than the tolerance.
   bool convex() const {
     for (size_t i = 0; i < ring_.size(); ++i)
       if (!(turn(i) > 0)) return false;
@@ -55,7 +46,10 @@ class EarClipper {
   bool clip(std::vector<std::array<int, 3>>* triangles);
 
  private:
-  enum class Test { kClosed, kOpen };  // do corners on the rim of a triangle stop it from being an ear?
+  enum class Test {
+    kClosed,
+    kOpen
+  };  // with kClosed, a corner on an edge of a triangle keeps it from being an ear
 
   size_t wrapped(size_t i) const { return i >= ring_.size() ? i - ring_.size() : i; }
   int at(size_t i) const { return ring_[wrapped(i)]; }
@@ -86,7 +80,7 @@ class EarClipper {
   double tolerance_;
 };
 
-// Corners that repeat their neighbour, lie on a straight edge or at the tip of a spike add nothing.
+// Drops corners that repeat their neighbour, lie on a straight edge or are the tip of a spike of no area.
 void EarClipper::drop_idle_corners() {
   for (size_t i = 0, kept = 0; kept < ring_.size() && ring_.size() >= 3;) {
     i = wrapped(i);
@@ -106,13 +100,14 @@ void EarClipper::drop(size_t i) {
   ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-// Does the corner `other` of the ring, or an edge from it, reach into the triangle?
+// Whether the corner `other` of the ring, or an edge from it, reaches into the triangle.
 bool EarClipper::blocks(size_t other, Vec2 a, Vec2 b, Vec2 c, Test test) const {
   const Vec2 p = point(at(other));
   const std::array<Vec2, 3> triangle{a, b, c};
   for (size_t k = 0; k < 3; ++k) {
     if (!same(p, triangle[k])) continue;
-    // A bridge comes by here: it must not leave into the triangle.
+    // `other` is at a corner of the triangle, where a bridge passes. Its edges must not lead into the
+    // triangle.
     const Vec2 to_next = triangle[(k + 1) % 3] - triangle[k], to_last = triangle[(k + 2) % 3] - triangle[k];
     for (const int neighbour : {before(other), at(other + 1)}) {
       const Vec2 along = point(neighbour) - p;
@@ -135,7 +130,7 @@ bool EarClipper::is_ear(size_t i, Test test) const {
   const size_t previous = i == 0 ? ring_.size() - 1 : i - 1, next = wrapped(i + 1);
   for (size_t j = 0; j < ring_.size(); ++j) {
     if (j == i || j == previous || j == next || turn(j) > 0)
-      continue;  // only reflex corners can reach inside first
+      continue;  // if any corner is inside, a reflex corner is
     if (blocks(j, a, b, c, test)) return false;
   }
   return true;
@@ -174,7 +169,7 @@ bool EarClipper::clip(std::vector<std::array<int, 3>>* triangles) {
   return ring_.empty() || convex();
 }
 
-// After a cut the two corners beside it may have become idle, and theirs in turn.
+// After a cut the two corners beside it may have become needless, then their neighbours.
 void EarClipper::drop_idle_around(size_t i) {
   while (ring_.size() >= 3) {
     const size_t next = wrapped(i), last = next == 0 ? ring_.size() - 1 : next - 1;
@@ -199,7 +194,7 @@ bool planar(std::span<const Vec3> corners, double tolerance) {
                      [&](Vec3 p) { return std::abs(dot(p - centre, normal)) <= tolerance; });
 }
 
-// A pair of triangles over a common edge, as a quad: 0 unless planar and convex, else the sine of its
+// The quality of a quad made of two triangles: 0 unless it is planar and convex, else the sine of its
 // sharpest corner.
 double quad_quality(std::span<const Vec3> outline, const OutlinePiece& quad, double tolerance) {
   std::array<Vec3, 4> p;
@@ -211,7 +206,8 @@ double quad_quality(std::span<const Vec3> outline, const OutlinePiece& quad, dou
     const Vec3 in = normalized(p[k] - p[(k + 3) % 4]), out = normalized(p[(k + 1) % 4] - p[k]);
     sharpest = std::min(sharpest, dot(cross(in, out), normal));
   }
-  // A corner of less than a third of a degree, or nearly straight, is better left to two triangles.
+  // A quad with a corner of less than a third of a degree, or one that is nearly straight, stays two
+  // triangles.
   return sharpest > 0.005 ? sharpest : 0;
 }
 
@@ -231,7 +227,7 @@ OutlinePiece joined_over(const std::array<int, 3>& first, size_t k, const std::a
   return {};
 }
 
-// Best pairs first; ties go by order, so that the result is always the same.
+// Joins the best pairs first. Equal ones keep their order, so that the result is always the same.
 void join_triangles(std::span<const Vec3> outline, const std::vector<std::array<int, 3>>& triangles,
                     double tolerance, std::vector<OutlinePiece>* pieces) {
   std::map<std::pair<int, int>, size_t> owner_of_edge;
@@ -269,6 +265,13 @@ std::vector<Vec2> flattened(std::span<const Vec3> outline, Vec3 normal) {
 }
 
 }  // namespace
+
+Vec3 doubled_area(std::span<const Vec3> outline) {
+  Vec3 sum;
+  for (size_t i = 1; i + 1 < outline.size(); ++i)
+    sum += cross(outline[i] - outline[0], outline[i + 1] - outline[0]);
+  return sum;
+}
 
 Outline polygonize(std::span<const Vec3> outline, std::vector<OutlinePiece>* pieces) {
   const Tolerance tolerance = tolerance_of(outline);

@@ -19,11 +19,12 @@ Quat exp_of(Vec3 vector) {
   return rotation_about(vector / angle, angle);
 }
 
-// The rotation vector of `q` that is nearest to `expected`: angles are known only up to whole turns.
+// The rotation vector of `q` that is nearest to `expected`. It is unique only up to whole turns.
 Vec3 log_near(Quat q, Vec3 expected) {
   const Vec3 imaginary{q.x, q.y, q.z};
   const double sine = length(imaginary);
-  // Below this the axis is lost to rounding; any whole number of turns is about the expected axis.
+  // Below this the axis is lost to rounding. The rotation is then a whole number of turns about the expected
+  // axis.
   const bool axis_known = sine > 1e-12;
   const Vec3 axis = axis_known ? imaginary / sine : normalized(expected);
   const double angle = 2 * std::atan2(sine, q.w);
@@ -31,8 +32,8 @@ Vec3 log_near(Quat q, Vec3 expected) {
   return (angle + 2 * kPi * turns) * axis;
 }
 
-// Rotation vector from key i to key i + 1, in the frame of either (it is its own axis): the difference of
-// angles between two turns, so that 0 to 720 turns twice; the shorter way if a quaternion is involved.
+// Rotation vector from key i to key i + 1; it is the same in the frames of both. Between two turns it is the
+// difference of their angles, so that 0 to 720 degrees turns twice. With a quaternion it is the shorter way.
 Vec3 rotation_step(const Body& body, size_t i) {
   const BodyKey &a = body.keys[i], &b = body.keys[i + 1];
   if (!a.has_quat && !b.has_quat) return (b.turn - a.turn) * body.axis;
@@ -53,7 +54,8 @@ Vec3 velocity_at_key(const Body& body, size_t i, StepBetween step_between) {
   return (after * slope_before + before * slope_after) / (before + after);
 }
 
-// Cumulative cubic Bernstein polynomials: how far each of the three legs of a Bezier curve is gone at u.
+// Cumulative cubic Bernstein polynomials: the fraction of each of the three legs of a Bezier curve that is
+// done at u.
 std::array<double, 3> bezier_legs(double u) {
   const double v = 1 - u;
   return {1 - v * v * v, u * u * (3 - 2 * u), u * u * u};
@@ -67,8 +69,8 @@ Vec3 smooth_move(const Body& body, const KeyPlace& at) {
   return body.keys[at.key].move + legs[0] * first + legs[1] * middle + legs[2] * last;
 }
 
-// Hermite quaternion curve of Kim, Kim & Shin 1995: a Bezier curve whose legs are rotations. With turns alone
-// it is the cubic of the angle.
+// Hermite quaternion curve of Kim, Kim & Shin 1995: a Bezier curve whose legs are rotations. If all keys
+// are turns about the axis it is the cubic Hermite curve of the angle.
 Quat smooth_rotation(const Body& body, const KeyPlace& at) {
   const Vec3 first = velocity_at_key(body, at.key, rotation_step) * (at.span / 3);
   const Vec3 last = velocity_at_key(body, at.key + 1, rotation_step) * (at.span / 3);

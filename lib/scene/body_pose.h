@@ -8,7 +8,7 @@ namespace strad {
 // parent_from_body at `time`; identity for a body without keys.
 Pose pose_in_parent(const Body& body, double time);
 
-// Whether two keys of `body` put it in the same place in the same way, so that it rests between them.
+// Whether two keys of `body` have the same move and rotation, so that it rests between them.
 bool same_place(const Body& body, const BodyKey& a, const BodyKey& b);
 
 }  // namespace strad

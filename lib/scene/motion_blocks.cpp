@@ -17,7 +17,7 @@ struct BlockText {
   std::span<const MotionLine> settings;
 };
 
-// Refuses a second setting of the same name, except `key` and `parts`, which add up.
+// Refuses a second setting of the same name, except `key` and `parts`, which may be repeated.
 class OnceEach {
  public:
   void take(const std::string& setting, const MotionWords& words) {
@@ -130,7 +130,7 @@ SpotBlock parse_spot(const BlockText& text) {
   return block;
 }
 
-// Settings of a block that knows nothing but keys.
+// Settings of a block that has only keys.
 template <class Key>
 std::vector<Key> parse_keys(const BlockText& text) {
   std::vector<Key> keys;
@@ -164,7 +164,7 @@ double parse_rate(const BlockText& text) {
   return rate;
 }
 
-// The later of two blocks of one name takes the place of the earlier.
+// Of two blocks of one name, the later replaces the earlier.
 template <class Block, class NameOf>
 void put(std::vector<Block>& blocks, Block block, NameOf name) {
   for (Block& earlier : blocks) {

@@ -1,4 +1,4 @@
-// The statements of a motion file, checked one by one but not yet against a scene: names are still names.
+// The statements of a motion file, each checked by itself. Names are not yet looked up in a scene.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace strad {
 
-// A name and the line that gives it.
+// A name and the line it stands on.
 struct MotionName {
   std::string name;
   int line = 0;
@@ -36,7 +36,7 @@ struct MotionInterval {
   double start = 0, end = 0;  // s
 };
 
-// Each name once a kind: where a file repeats one, the later block is here, in the place of the earlier.
+// Each name occurs once per kind. If a file repeats one, the later block replaces the earlier, at its place.
 struct MotionBlocks {
   std::optional<MotionInterval> interval;
   std::optional<double> rate;

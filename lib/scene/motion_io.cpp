@@ -157,7 +157,7 @@ void put_list(Bytes* to, const std::vector<Item>& items) {
   for (const Item& item : items) put(to, item);
 }
 
-// `bytes_each`: no item is smaller.
+// `bytes_each`: the least size of an item.
 template <typename Item>
 void get_list(ByteReader* from, size_t bytes_each, const char* what, std::vector<Item>* items) {
   items->assign(from->count(bytes_each, what), Item{});

@@ -7,10 +7,10 @@
 namespace strad {
 namespace {
 
-// Vertical field of view of a camera that names none, degrees.
+// Default vertical field of view of a camera, degrees.
 constexpr double kDefaultFov = 40;
 
-// The fields seen on one line, to refuse repetition and find what lacks.
+// The fields found on one line: refuses repeated ones, and tells which are missing.
 class FieldNames {
  public:
   void take(const std::string& field, const MotionWords& words) {
@@ -74,7 +74,7 @@ double take_fov(MotionWords& words) {
   return radians(fov);
 }
 
-// Whether the camera's view direction and up vector span a plane; far from parallel as rounding sees it.
+// Whether the camera's view direction and up vector are far enough from parallel to span a plane.
 bool has_horizon(const CameraKey& key) {
   const Vec3 view = normalized(key.to - key.from);
   return length(cross(view, normalized(key.up))) > 1e-9;

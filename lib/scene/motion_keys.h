@@ -6,14 +6,14 @@
 
 namespace strad {
 
-inline double radians(double degrees) { return degrees * (kPi / 180); }
+inline double radians(double degrees) { return degrees * kDegree; }
 
-// As short as it can be and still read back the same.
+// `value` in as few digits as read back to the same number.
 std::string motion_number(double value);
 
-// Each appends the key that the rest of the line describes. What a line leaves out stays as in the key
-// before; the first key has move 0 0 0, turn 0, up 0 1 0 and fov 40, and must name all else. Keys come in
-// order of time, at most two at one time.
+// Each appends the key that the rest of the line describes. Fields that the line leaves out keep their value
+// of the key before. Defaults for the first key: move 0 0 0, turn 0, up 0 1 0, fov 40; all other fields are
+// required. Keys are in order of time, at most two at the same time.
 void take_key(MotionWords& words, std::vector<BodyKey>& keys);
 void take_key(MotionWords& words, std::vector<SpotKey>& keys);
 void take_key(MotionWords& words, std::vector<GlowKey>& keys);

@@ -30,7 +30,7 @@ uint32_t find_named(const std::vector<Named>& things, const std::string& name) {
   return at == things.end() ? kNone : static_cast<uint32_t>(at - things.begin());
 }
 
-// The thing of that name replaced, or appended where there is none; returns its index.
+// Replaces the item of that name, or appends it if there is none. Returns its index.
 template <class Named>
 uint32_t put_named(std::vector<Named>& things, const Named& thing) {
   const uint32_t at = find_named(things, thing.name);
@@ -42,7 +42,7 @@ uint32_t put_named(std::vector<Named>& things, const Named& thing) {
   return at;
 }
 
-// Index of the body that `on` names; the world where it names none.
+// Index of the body that `on` names; the world if it is empty.
 uint32_t body_named(const MotionName& on, const std::string& file, const Scene& scene) {
   if (on.line == 0) return 0;
   const uint32_t body = find_named(scene.bodies, on.name);
@@ -70,8 +70,8 @@ void claim_part(const MotionName& part, uint32_t body, const std::string& file, 
 void refuse_cycle(uint32_t body, const MotionName& on, const std::string& file, const Scene& scene) {
   std::string path = scene.bodies[body].name;
   uint32_t above = scene.bodies[body].parent;
-  // A walk longer than the number of bodies goes round a cycle further up, which is found from its own
-  // bodies.
+  // After as many steps as there are bodies the walk is in a cycle further up, which does not contain this
+  // body. It is reported for the bodies in it.
   for (size_t step = 0; above != 0 && step < scene.bodies.size(); ++step) {
     path += " on " + scene.bodies[above].name;
     if (above == body)
@@ -156,7 +156,7 @@ void apply_motion(std::string_view text, const std::string& file, Scene& scene) 
   try {
     validate(scene);
   } catch (const BadInput& error) {
-    // What only the whole shows, such as too many frames.
+    // Faults of the scene as a whole, such as too many frames.
     throw BadInput(file + ": " + error.what());
   }
 }

@@ -10,7 +10,7 @@ namespace strad {
 
 // Later statements win: `time`, `rate` and blocks of a name that the scene already has replace what it has;
 // all else of the scene's motion stays. `file` is the name used in messages. Throws BadInput, "file:line:
-// found ..., expected ..."; the scene is then of no more use.
+// found ..., expected ..."; the scene must then not be used any more.
 void apply_motion(std::string_view text, const std::string& file, Scene& scene);
 
 }  // namespace strad

@@ -1,4 +1,4 @@
-// A motion file as lines of words; every complaint about it names file and line.
+// A motion file as lines of words. Every error names file and line.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ struct MotionLine {
   std::vector<std::string> words;
 };
 
-// Lines that hold words, without comments. Words are parted by blanks; double quotes keep blanks and # in a
-// word.
+// The lines that hold words, without comments. Blanks separate words; a word in double quotes may hold blanks
+// and #.
 std::vector<MotionLine> motion_lines(std::string_view text, const std::string& file);
 
 // Throws BadInput "file:line: found ..., expected ...".
@@ -35,7 +35,7 @@ class MotionWords {
   Vec3 vector(const std::string& what);
   void expect_end() const;
 
-  // Complains about the word taken last, or about what `found` says.
+  // Throws BadInput about the word taken last, or about `found`.
   [[noreturn]] void fail(const std::string& expected) const;
   [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 

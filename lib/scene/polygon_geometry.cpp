@@ -15,7 +15,7 @@ Vec3 doubled_area_vector(const Scene& scene, const Polygon& polygon) {
   return cross(c - a, corner(scene, polygon, 3) - b);
 }
 
-// A quotient that is 0 where it is undefined, so that degenerate polygons give positions inside themselves.
+// A quotient, or 0 if it is not finite, so that degenerate polygons still give positions inside themselves.
 double quotient(double numerator, double denominator) {
   const double q = numerator / denominator;
   return std::isfinite(q) ? q : 0;
@@ -27,7 +27,7 @@ Vec2 clamped_to_triangle(Vec2 uv) {
   return sum > 1 ? Vec2{uv.x / sum, uv.y / sum} : uv;
 }
 
-// The plane of two axes in which a polygon appears largest, as they follow its largest normal component.
+// The plane of two axes in which a polygon appears largest: the two that follow its largest normal component.
 struct Projection {
   int first, second;
   Vec2 operator()(Vec3 v) const { return {v[first], v[second]}; }
@@ -37,7 +37,6 @@ Projection projection_along(Vec3 normal) {
   if (x >= y && x >= z) return {1, 2};
   return y >= z ? Projection{2, 0} : Projection{0, 1};
 }
-double cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
 Vec2 triangle_parametric(const Scene& scene, const Polygon& polygon, Vec3 rest_point) {
   const Vec3 c0 = corner(scene, polygon, 0);
@@ -53,7 +52,7 @@ Vec2 triangle_parametric(const Scene& scene, const Polygon& polygon, Vec3 rest_p
 Vec2 inverse_bilinear(Vec2 e, Vec2 f, Vec2 g, Vec2 h, double orientation) {
   const double k2 = cross2(g, f), k1 = cross2(e, f) + cross2(h, g), k0 = cross2(h, e);
   const double root = std::copysign(std::sqrt(std::max(0.0, k1 * k1 - 4 * k2 * k0)), orientation);
-  const bool same_sign = k1 * orientation >= 0;  // the form of the root that adds, rather than cancels
+  const bool same_sign = k1 * orientation >= 0;  // the form of the root without cancellation
   const double v = same_sign ? quotient(-2 * k0, k1 + root) : quotient(root - k1, 2 * k2);
   const Vec2 along{e.x + v * g.x, e.y + v * g.y}, rest{h.x - v * f.x, h.y - v * f.y};
   const double u =

@@ -40,7 +40,7 @@ Halves split(const Piece& piece, Vec3 normal, double offset, double tolerance, d
     halves.below.push_back(moved(cut, -gap * normal));
     halves.above.push_back(moved(cut, gap * normal));
   }
-  // What only touches the plane is not cut.
+  // A piece that only touches the plane is not cut.
   const auto reaches = [&](const Piece& half) {
     return std::any_of(half.begin(), half.end(), [&](const PieceCorner& corner) {
       return std::abs(dot(normal, corner.position) - offset) > 2 * (tolerance + gap);
@@ -61,7 +61,7 @@ std::vector<Polygon> polygons_of(const std::vector<Piece>& pieces, const Polygon
       scene->vertices.push_back(as_kept(corner.position));
       if (has_uvs) scene->uvs.push_back({static_cast<float>(corner.uv.x), static_cast<float>(corner.uv.y)});
     }
-    // A fan of quads, the last perhaps a triangle.
+    // A fan of quads; the last may be a triangle.
     const auto count = static_cast<uint32_t>(piece.size());
     for (uint32_t next = 1; next + 1 < count; next += 2) {
       Polygon part;

@@ -1,4 +1,4 @@
-// A scene at rest and how it moves. Plain data with indices; filled by import and motion, read by all else.
+// A scene at rest and how it moves. Plain data with indices, filled by import/ and by the motion language.
 #pragma once
 
 #include <cstdint>
@@ -59,7 +59,7 @@ struct Body {
   Vec3 pivot{};
   Vec3 axis{0, 1, 0};  // unit length
   Ease ease = Ease::kLinear;
-  std::vector<BodyKey> keys{};       // ordered by time; two at one time make a step; none: at rest
+  std::vector<BodyKey> keys{};       // ordered by time; two at the same time: a step; none: at rest
   std::vector<std::string> parts{};  // the patterns as given, for strad-info
 };
 
@@ -112,14 +112,14 @@ struct Scene {
   // 0 is the world: no keys, never moves.
   std::vector<Body> bodies{Body{"world", 0, {}, {0, 1, 0}, Ease::kLinear, {}, {}}};
   std::vector<Spot> spots;
-  std::vector<Glow> glows;  // at most one a material
+  std::vector<Glow> glows;  // at most one per material
   std::vector<Camera> cameras;
 
-  std::vector<std::string> provenance;  // one line a step: version and command line
+  std::vector<std::string> provenance;  // one line per tool that was run: version and command line
 };
 
-// Throws BadInput, naming the first fault, unless every index is in range, every number finite, every key
-// list in order. All else in the library may assume that it passed.
+// Throws BadInput, which names the first fault, unless every index is in range, every number finite and every
+// key list in order. All other functions of the library assume that it passed.
 void validate(const Scene& scene);
 
 inline uint32_t body_of(const Scene& scene, const Polygon& polygon) {
@@ -131,7 +131,7 @@ inline bool emits(const Scene& scene, const Polygon& polygon) {
 
 // Frame k (1-based) is the instant start + (k - 1) / rate.
 inline double frame_time(const Scene& scene, double frame) { return scene.start + (frame - 1) / scene.rate; }
-// Number of whole frames in [start, end): 600 for 24 s at 25; at least 1.
+// Number of frames in [start, end): 600 for 24 s at 25 per second; at least 1.
 int frame_count(const Scene& scene);
 
 }  // namespace strad

@@ -19,7 +19,8 @@ constexpr ChunkType kMaterials = chunk_type("MATL");
 constexpr ChunkType kTexture = chunk_type("TEXR");
 constexpr ChunkType kMotion = chunk_type("MOTN");
 
-// Neighbours in a file are neighbours in space: the bits of successive floats differ in their low bytes.
+// Differences of the bits of successive floats: neighbours in a file are mostly neighbours in space, and then
+// only low bytes differ.
 void put_floats(Bytes* to, const std::vector<float>& column) {
   std::vector<uint64_t> differences;
   differences.reserve(column.size());

@@ -12,12 +12,12 @@ namespace strad {
 // All chunks of a scene in their fixed order, provenance first.
 std::vector<Chunk> encode_scene(const Scene& scene);
 
-// Gathers a scene from chunks that come one by one.
+// Builds a scene from its chunks, given one by one.
 class SceneDecoder {
  public:
-  // False when the type is none of a scene's. `place` names the chunk in errors. Throws BadInput.
+  // False if the chunk does not belong to a scene. `place` names the chunk in errors. Throws BadInput.
   bool add(ChunkType type, ByteSpan content, const std::string& place);
-  // Throws BadInput unless all parts came and validate() passes. `place` names the stream.
+  // Throws BadInput if a chunk is missing or validate() fails. `place` names the stream.
   Scene finish(const std::string& place);
 
   static bool knows(ChunkType type);

@@ -25,7 +25,7 @@ Rgb texel(const Texture& texture, uint32_t column, uint32_t row) {
   return {linear[srgb[0]], linear[srgb[1]], linear[srgb[2]]};
 }
 
-// The two texels that a coordinate in texels lies between, and how far on, repeating.
+// The two texels that a coordinate lies between, and the fraction of the way. The texture repeats.
 struct Between {
   uint32_t low, high;
   float part;
@@ -57,9 +57,9 @@ Rgb mean_colour(const Texture& texture) {
 }
 
 Rgb mean_colour(const Scene& scene, const Polygon& polygon, const Texture& texture) {
-  // As many points as texels, within bounds.
+  // About one sample per texel, within bounds.
   constexpr double kFewest = 16, kMost = 4096;
-  double twice = 0;  // its area in texture coordinates
+  double twice = 0;  // twice its area in texture coordinates
   const int corners = polygon.corner_count();
   for (int i = 0; i < corners; ++i) {
     const Vec2 a = scene.uvs[polygon.uvs[i]], b = scene.uvs[polygon.uvs[(i + 1) % corners]];

@@ -1,4 +1,4 @@
-// Colours of textures: at points, and means.
+// Colours of textures at points, and mean colours.
 #pragma once
 
 #include "base/rgb.h"

@@ -1,4 +1,4 @@
-// Where everything is at an instant.
+// Poses, lights and cameras at an instant.
 #include "scene/trajectory.h"
 
 #include "scene/body_pose.h"
@@ -40,8 +40,8 @@ void add_steps(const Scene& scene, const std::vector<Key>& keys, Same same, std:
   }
 }
 
-// Whether the body leaves its place within [start, end], its parents at rest. A smooth curve is shaped by one
-// more key on each side, so that it may move between equal keys.
+// Whether the body moves relative to its parent within [start, end]. A smooth curve also depends on one more
+// key on each side, so it may move between equal keys.
 bool moves_by_itself(const Scene& scene, const Body& body) {
   if (body.keys.empty()) return false;
   const size_t reach = body.ease == Ease::kSmooth ? 1 : 0;
@@ -74,7 +74,8 @@ std::vector<Pose> poses_at(const Scene& scene, double time) {
 SpotState spot_at(const Scene&, const Spot& spot, const std::vector<Pose>& world_from_body, double time) {
   const SpotKey key = spot_key_at(spot, time);
   Vec3 direction = key.aim - key.at;
-  // The aim may pass through the light between two keys; where it does the earlier key's direction holds.
+  // The aim may pass through the position of the light between two keys. Then the earlier key's direction
+  // holds.
   if (!(length2(direction) > 0)) {
     const SpotKey& earlier = spot.keys[place_among(spot.keys, time).key];
     direction = earlier.aim - earlier.at;

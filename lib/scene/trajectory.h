@@ -1,4 +1,4 @@
-// Where everything is at an instant. Poses are computed once an instant, in double precision.
+// Poses, lights and cameras at an instant, in double precision.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The door through which every scene comes: all that the rest of the library takes for granted.
+// Checks of a scene: all that the rest of the library assumes about it.
 #include <cmath>
 
 #include "base/error.h"
@@ -161,7 +161,7 @@ void validate(const Scene& scene) {
 }
 
 int frame_count(const Scene& scene) {
-  // A quarter of 25 frames a second may be a hair less than a whole number.
+  // The product may be just below a whole number by rounding.
   const double frames = (scene.end - scene.start) * scene.rate;
   return std::max(1, static_cast<int>(std::floor(frames + 1e-6)));
 }

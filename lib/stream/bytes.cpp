@@ -1,4 +1,4 @@
-// Little-endian bytes, put and got.
+// Numbers and text to bytes and back, little-endian.
 #include "stream/bytes.h"
 
 #include <bit>

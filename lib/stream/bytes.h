@@ -1,4 +1,4 @@
-// Bytes put and got one by one, little-endian: the floor under every chunk.
+// Numbers and text to bytes and back, little-endian: what every chunk is written with.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ void put_u32(Bytes* to, uint32_t value);
 void put_u64(Bytes* to, uint64_t value);
 void put_f32(Bytes* to, float value);        // IEEE 754 bits
 void put_f64(Bytes* to, double value);       // IEEE 754 bits
-void put_varint(Bytes* to, uint64_t value);  // LEB128: 7 bits a byte, low ones first, high bit: more follow
+void put_varint(Bytes* to, uint64_t value);  // LEB128: 7 bits per byte, low ones first; high bit: more follow
 void put_signed(Bytes* to, int64_t value);   // zigzag (0, -1, 1, -2 ...) as a varint
 void put_text(Bytes* to, std::string_view text);  // varint length, then the bytes
 
@@ -49,7 +49,7 @@ class ByteReader {
 
   // A varint of at most `most`.
   uint32_t number(uint64_t most, const char* what);
-  // A count of things of at least `bytes_each` bytes: never more than what is left can hold.
+  // A count of items that take at least `bytes_each` bytes each. Refused if the bytes left cannot hold them.
   size_t count(size_t bytes_each, const char* what);
 
   const std::string& place() const { return place_; }
@@ -65,8 +65,8 @@ class ByteReader {
   size_t at_ = 0;
 };
 
-// Byte `k` of every value, for k = 0, 1, ..: like bytes lie together, which is what zstd wants.
-// Values of `width` bytes, 1..8.
+// Values as planes of bytes: byte 0 of every value, then byte 1 of every value, and so on. Similar bytes then
+// lie together, which zstd compresses well. `width` is the bytes per value, 1..8.
 void put_planes(Bytes* to, std::span<const uint64_t> values, int width);
 std::vector<uint64_t> get_planes(ByteReader* from, size_t count, int width);
 

@@ -54,7 +54,7 @@ Bytes decompress(ByteSpan payload, const std::string& place) {
   Bytes content;
   ZSTD_inBuffer in{payload.data(), payload.size(), 0};
   for (size_t left = 1; left != 0;) {
-    // Memory doubles as content comes out, so that a frame that lies about its size costs what it holds.
+    // The buffer doubles as content is unpacked, so that a frame with a false size costs only what it holds.
     const size_t done = content.size();
     const uint64_t room = std::max<uint64_t>(64 << 10, std::max<uint64_t>(done, 4 * payload.size()));
     content.resize(static_cast<size_t>(std::min(declared, done + room)));

@@ -1,12 +1,14 @@
-// The frame of a stream in the manner of PNG: a magic with a version, chunks, a closing chunk. No meaning.
+// The framing of a stream, as in PNG: magic, version, chunks, a closing chunk. What chunks mean is defined
+// elsewhere.
 //
 //   magic       8 bytes  89 53 54 52 0d 0a 1a 0a   ("\x89STR", line ends that a text transfer would spoil)
 //   version     u32      1
 //   chunks      type (4 letters), length (u64), payload (length bytes), checksum (u64)
 //
 // The checksum is XXH64 (seed 0) of type, length and payload. A payload is one zstd frame that states its
-// content size, but for the closing chunk DONE: offset of the index chunk (u64, 0: none), chunks before DONE
-// (u64). A type that starts with a capital is critical: who does not know it must refuse the stream.
+// content size. Only the closing chunk DONE is stored as it is: offset of the index chunk (u64, 0: none) and
+// number of chunks before DONE (u64). A type that starts with a capital is critical: a reader that does not
+// know it must refuse the stream.
 #pragma once
 
 #include <array>
@@ -46,10 +48,10 @@ struct ChunkView {
 uint64_t checksum(ByteSpan bytes);
 
 Bytes compress(ByteSpan content);
-// Throws BadInput "PLACE: ..." for anything but one whole zstd frame. Memory grows with what really comes
-// out.
+// Throws BadInput "PLACE: ..." for anything but one whole zstd frame. Takes memory only for bytes that are
+// really unpacked, whatever size the frame claims.
 Bytes decompress(ByteSpan payload, const std::string& place);
-// What the frame says it holds, without unpacking it. The same errors for a frame that says nothing.
+// The content size that the frame states, without unpacking it. Throws BadInput if it states none.
 uint64_t content_size(ByteSpan payload, const std::string& place);
 
 }  // namespace strad

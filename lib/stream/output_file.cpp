@@ -31,7 +31,7 @@ void remember(const std::string& path) {
   for (auto& slot : temporary_files) {
     if (slot[0]) continue;
     std::memcpy(slot + 1, path.c_str() + 1, path.size());
-    slot[0] = path[0];  // last, so that a handler sees a whole name
+    slot[0] = path[0];  // written last, so that a handler never sees half a name
     break;
   }
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
@@ -59,7 +59,7 @@ bool is_special(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
-// Hidden beside it, with its extension, which tells image writers the format.
+// A hidden file beside it. The extension is kept because image writers choose the format by it.
 std::string beside(const std::string& path) {
   const std::filesystem::path full(path);
   return (full.parent_path() / ("." + std::to_string(::getpid()) + "." + full.filename().string())).string();

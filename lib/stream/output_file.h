@@ -9,9 +9,9 @@
 
 namespace strad {
 
-// A name in the same folder, with the same extension, that `commit` renames to `path`. The temporary file is
-// removed when it was not committed, also when the program is interrupted. What is no plain file (/dev/null,
-// a named pipe) is written in place.
+// Data goes to a temporary file in the same folder, with the same extension, which `commit` renames to
+// `path`. Without `commit` it is removed, also when the program is interrupted. Anything but a plain file
+// (/dev/null, a named pipe) is written in place.
 class WholeFile {
  public:
   explicit WholeFile(const std::string& path);

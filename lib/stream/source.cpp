@@ -16,7 +16,7 @@ namespace strad {
 namespace {
 
 constexpr size_t kReadStep =
-    1 << 20;  // memory for a pipe grows by what may come next, never by what is claimed
+    1 << 20;  // a pipe's buffer grows by this much at a time, whatever length is claimed
 
 bool is_standard_input(const std::string& path) { return path.empty() || path == "-"; }
 
@@ -32,7 +32,7 @@ Source::Source(const std::string& path) : name_(is_standard_input(path) ? "stand
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0) throw IoError(fault_of(name_, "examined"));
   if (S_ISDIR(status.st_mode)) throw BadInput(name_ + ": found a folder, expected a stream");
-  // Standard input that someone has read from before goes on from there.
+  // Part of standard input may have been read before: the stream begins at the current position.
   pipe_ = !S_ISREG(status.st_mode) || ::lseek(descriptor_, 0, SEEK_CUR) != 0;
   if (pipe_ || status.st_size == 0) return;
   const size_t size = static_cast<size_t>(status.st_size);

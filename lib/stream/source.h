@@ -1,4 +1,4 @@
-// The bytes of a stream: a mapped file, or a pipe read as far as it is needed.
+// The bytes of a stream: a mapped file, or a pipe that is read as far as needed.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class Source {
   Source& operator=(const Source&) = delete;
 
   const std::string& name() const { return name_; }
-  // All bytes can be reached at no cost.
+  // Whether bytes at any offset can be read at once: true for files and memory, false for pipes.
   bool seekable() const { return !pipe_; }
   uint64_t size() const { return bytes_.size(); }  // REQUIRES: seekable()
 

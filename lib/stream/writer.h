@@ -11,9 +11,9 @@ namespace strad {
 
 class StreamWriter {
  public:
-  // Takes bytes in order; throws IoError when it cannot.
+  // Receives the bytes in order. Throws IoError.
   using Sink = std::function<void(ByteSpan)>;
-  // Magic and version go out with the first chunk, so that a failure before it leaves nothing half-written.
+  // Magic and version are written with the first chunk, so that a failure before it writes nothing.
   explicit StreamWriter(Sink sink) : sink_(std::move(sink)) {}
 
   // Returns the offset at which the chunk stands.

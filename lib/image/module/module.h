@@ -1,5 +1,5 @@
-// What the module strad-image-files.so offers to lib/image/files.cpp. Failures come back as text, empty for
-// success, so that no exception crosses from one library to another.
+// What the module strad-image-files.so offers to lib/image/files.cpp. Functions return an error message,
+// empty for success, so that no exception crosses from one shared library to another.
 #pragma once
 
 #include <string>

@@ -15,13 +15,13 @@ using strad::SrgbImage;
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-// One thread: callers save frames in parallel themselves, and a pool costs more than a small picture.
+// One thread: callers save frames in parallel, and starting a pool takes longer than a small picture.
 void keep_to_one_thread() {
   static const bool done = OIIO::attribute("threads", 1) && OIIO::attribute("exr_threads", -1);
   static_cast<void>(done);
 }
 
-// Opens `path` and takes its first `channels` channels (1 or 3) in `type`.
+// Opens `path` and reads its first `channels` channels (1 or 3) as `type`.
 template <class Sample>
 std::string read_channels(const std::string& path, OIIO::TypeDesc type, OIIO::ImageSpec* spec,
                           std::vector<Sample>* samples) {
@@ -84,7 +84,8 @@ OIIO::ImageSpec spec_for(const Image& image, const std::string& format) {
                               : is_word_format(format) ? OIIO::TypeDesc::UINT16
                                                        : OIIO::TypeDesc::UINT8;
   OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), 3, type);
-  spec.attribute("DateTime", "1970:01:01 00:00:00");  // else the clock's: equal pixels, unequal bytes
+  spec.attribute("DateTime",
+                 "1970:01:01 00:00:00");  // not the current time: equal pixels must give equal bytes
   spec.attribute("compression", format == "jpg" || format == "jpeg" ? "jpeg:95" : "zip");
   spec.attribute("oiio:ColorSpace", is_float_format(format) ? "Linear" : "sRGB");
   return spec;

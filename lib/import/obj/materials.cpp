@@ -1,4 +1,4 @@
-// The materials that an OBJ file names, out of its MTL files.
+// The materials that an OBJ file uses, read from its MTL files.
 #include "import/obj/materials.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "image/files.h"
+#include "import/load_texture.h"
 #include "import/obj/mtl.h"
 
 namespace strad {
@@ -22,10 +22,9 @@ class MaterialLoader {
   void make(const ObjScan::Named& wanted);
 
  private:
-  // Refuses, or reports where missing things are to be skipped.
+  // See refuse_missing.
   void missing(const std::string& what, const std::string& file, uint32_t line) {
-    if (!options_.skip_missing) fail_at(file, line, what);
-    report_->add(what + ": left out", file, line);
+    refuse_missing(what, file, line, options_, report_);
   }
   void read_mtl_file(const std::string& reference, uint32_t line);
   void add(const MtlMaterial& material);
@@ -52,7 +51,7 @@ std::string found_path(const std::string& file, const std::string& reference) {
   return std::filesystem::exists(slashed) ? slashed : path;
 }
 
-// One name with blanks, or several names: the former if there is such a file.
+// The rest of a mtllib line is one name with blanks if there is such a file, else several names.
 void MaterialLoader::read_library(const ObjScan::Named& library) {
   if (std::filesystem::exists(found_path(path_, library.name)))
     return read_mtl_file(library.name, library.line);
@@ -84,12 +83,8 @@ uint32_t MaterialLoader::texture_of(const MtlMaterial& material) {
     missing("texture " + in_quotes(path, path.size()) + " is missing", material.file, material.texture_line);
     return texture_at_[path] = kNone;
   }
-  try {
-    SrgbImage image = load_srgb_image(path);
-    scene_->textures.push_back({material.texture, image.width, image.height, std::move(image.bytes)});
-  } catch (const std::exception& error) {
-    fail_at(material.file, material.texture_line, error.what());
-  }
+  scene_->textures.push_back(
+      load_texture({path, material.texture, false, material.file, material.texture_line}));
   return texture_at_[path] = static_cast<uint32_t>(scene_->textures.size() - 1);
 }
 

@@ -10,7 +10,7 @@
 namespace strad {
 namespace {
 
-// Of a texture statement: how many words follow the option; -1: one to three numbers.
+// An option of a texture statement. `words`: how many words follow it; -1: one to three numbers.
 struct TextureOption {
   std::string_view name;
   int words;
@@ -59,7 +59,7 @@ float MtlScanner::number(std::string_view word, std::string_view rest) const {
   return static_cast<float>(*value);
 }
 
-// One number stands for all three.
+// One number alone gives all three channels.
 std::array<float, 3> MtlScanner::colour(std::string_view word, std::string_view rest) const {
   std::array<float, 3> rgb{};
   size_t count = 0;
@@ -91,7 +91,7 @@ void MtlScanner::put_colour(std::string_view word, std::string_view rest) {
   clean_.append("\n");
 }
 
-// map_Kd [options] name: the name is all that follows, blanks and all.
+// map_Kd [options] name. The name is all that follows the options; it may hold blanks.
 void MtlScanner::texture(std::string_view rest) {
   rest = trimmed(rest);
   while (rest.starts_with('-')) {

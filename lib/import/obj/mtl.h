@@ -1,4 +1,4 @@
-// Materials of MTL files, behind a guard as strict as that of OBJ files.
+// Materials of MTL files, read as strictly as OBJ files are.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct MtlMaterial {
     std::string what;
     uint32_t line = 0;
   };
-  std::vector<Ignored> ignored;  // what the file says of it that strad does not show
+  std::vector<Ignored> ignored;  // properties that have no effect in strad
 };
 
 // Throws IoError or BadInput, at the first fault.

@@ -7,9 +7,9 @@
 
 namespace strad {
 
-// `path` "-" is standard input; MTL files are then looked for in the working directory. Groups and objects
-// become objects of one name each; materials in use keep their names. Throws IoError or BadInput, which name
-// file and line.
+// `path` "-" is standard input; MTL files are then looked for in the working directory. Each combination of
+// an object name and a group name becomes one object of the scene. Materials keep their names; those that no
+// face uses are dropped. Throws IoError or BadInput, which name file and line.
 Scene import_obj(const std::string& path, const ImportOptions& options, ImportReport* report);
 
 }  // namespace strad

@@ -13,18 +13,18 @@
 namespace strad {
 namespace {
 
-// A stream over memory that is not copied.
+// A stream that reads memory without a copy.
 class ViewBuffer : public std::streambuf {
  public:
   explicit ViewBuffer(const std::string& text) {
-    char* begin = const_cast<char*>(text.data());  // streambuf wants it so; nothing writes
+    char* begin = const_cast<char*>(text.data());  // streambuf takes no const pointers; it is only read
     setg(begin, begin, begin + text.size());
   }
 };
 
 uint32_t place_in(const char* name) { return static_cast<uint32_t>(std::strtoul(name, nullptr, 10)); }
 
-// The state of a parse: what comes next belongs to these.
+// The state of a parse. The next face belongs to `object` and `material`.
 struct Gathering {
   ParsedObj obj;
   uint32_t object = 0, material = 0;
@@ -36,7 +36,7 @@ void take_face(void* user, tinyobj::index_t* indices, int count) {
   Gathering& to = gathering(user);
   to.obj.faces.push_back({to.obj.corners.size(), static_cast<uint32_t>(count), to.object, to.material});
   for (int i = 0; i < count; ++i) {
-    // Raw numbers from 1; 0 where there is none, and 0 - 1 is kNone.
+    // Numbers as in the file, from 1. 0 means none, and 0 - 1 is kNone.
     to.obj.corners.push_back({static_cast<uint32_t>(indices[i].vertex_index) - 1,
                               static_cast<uint32_t>(indices[i].texcoord_index) - 1});
   }

@@ -1,4 +1,4 @@
-// What tinyobjloader makes of text that the guard has cleaned.
+// tinyobjloader's reading of text that scan_obj has checked and rewritten.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct ParsedMaterial {
   Rgb reflectance, emission;
 };
 
-// Materials named 0, 1, 2... in that order. REQUIRES: `clean` comes from the guard of MTL files.
+// Materials named 0, 1, 2... in that order. REQUIRES: `clean` comes from read_mtl.
 std::vector<ParsedMaterial> parse_clean_mtl(const std::string& clean, size_t count);
 
 }  // namespace strad

@@ -1,4 +1,4 @@
-// The guard before tinyobjloader.
+// Reads an OBJ file strictly, before tinyobjloader does.
 #include "import/obj/scan.h"
 
 #include <algorithm>
@@ -15,19 +15,17 @@ namespace {
 
 constexpr size_t kMaxItems = 0x7fffffff;  // indices are 31 bits in tinyobjloader
 
-template <size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+// Statements that say nothing about polygons: shading, display, skinning, subdivision.
+bool is_without_meaning(std::string_view word) {
+  return is_one_of(word, {"s", "mg", "bevel", "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj",
+                          "ctech", "trace_obj", "stech", "vw", "t", "vp", "csh", "end"});
 }
 
-// Statements that say nothing about polygons: shading, display, skinning, subdivision.
-constexpr std::array<std::string_view, 17> kWithoutMeaning{
-    "s",     "mg",        "bevel", "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj",
-    "ctech", "trace_obj", "stech", "vw",       "t",        "vp",  "csh",    "end"};
-// Free-form curves and surfaces.
-constexpr std::array<std::string_view, 17> kFreeForm{"cstype", "deg",  "bmat", "step", "curv", "curv2",
-                                                     "surf",   "parm", "trim", "hole", "scrv", "sp",
-                                                     "con",    "bzp",  "bsp",  "cdc",  "res"};
+// Statements of free-form curves and surfaces.
+bool is_free_form(std::string_view word) {
+  return is_one_of(word, {"cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole",
+                          "scrv", "sp", "con", "bzp", "bsp", "cdc", "res"});
+}
 
 // Names in order of first use.
 class NameList {
@@ -44,7 +42,8 @@ class NameList {
   std::unordered_map<std::string, size_t> place_;
 };
 
-// Vertices or texture coordinates, and references to them that may run ahead of them.
+// Counts vertices or texture coordinates, and resolves references to them. A reference may come before what
+// it refers to.
 class Numbered {
  public:
   Numbered(std::string what, const std::string& file) : what_(std::move(what)), file_(file) {}
@@ -116,7 +115,7 @@ class Scanner {
   bool object_changed_ = true, material_changed_ = true;
 };
 
-// Words of a name with single blanks between them.
+// The words of a name, separated by single blanks.
 std::string name_in(std::string_view rest) {
   std::string name;
   for (std::string_view word = next_word(&rest); !word.empty(); word = next_word(&rest))
@@ -124,7 +123,7 @@ std::string name_in(std::string_view rest) {
   return name;
 }
 
-// Copies the first `kept` numbers; a comment may follow them.
+// Checks all numbers and copies the first `kept`. A comment may follow them.
 void Scanner::numbers(std::string_view word, std::string_view rest, size_t least, size_t most, size_t kept) {
   size_t count = 0;
   for (std::string_view text = next_word(&rest); !text.empty() && !text.starts_with('#');
@@ -143,7 +142,7 @@ void Scanner::numbers(std::string_view word, std::string_view rest, size_t least
           std::string(word) + " has " + std::to_string(count) + " numbers, expected " + expected);
 }
 
-// x y z, with a weight or a colour after them in some files.
+// x y z; some files have a weight or a colour after them.
 void Scanner::vertex(std::string_view rest) {
   numbers("v", rest, 3, 7, 3);
   vertices_.add(lines_.number());
@@ -163,7 +162,7 @@ void Scanner::corner(std::string_view word) {
   if (second + 1 < rest.size()) normal(rest.substr(second + 1));
 }
 
-// Normals are not used, and some programs leave them out while their faces still name them.
+// Normals are not used. Some programs leave them out while faces still refer to them.
 void Scanner::normal(std::string_view word) {
   const auto index = integer_in(word);
   if (!index)
@@ -233,9 +232,9 @@ void Scanner::statement(std::string_view word, std::string_view rest) {
     scan_.libraries.push_back({std::string(trimmed(rest)), lines_.number()});
   } else if (word == "l" || word == "p") {
     left_out(word == "l" ? "line" : "point");
-  } else if (is_one_of(word, kFreeForm)) {
+  } else if (is_free_form(word)) {
     if (word == "curv" || word == "curv2" || word == "surf") left_out("free-form " + std::string(word));
-  } else if (!is_one_of(word, kWithoutMeaning)) {
+  } else if (!is_without_meaning(word)) {
     if (!options_.skip_unknown)
       fail_at(name_, lines_.number(),
               "found " + in_quotes(word) + ", expected an OBJ statement such as v, f or usemtl");

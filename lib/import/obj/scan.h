@@ -1,4 +1,4 @@
-// The guard before tinyobjloader: reads an OBJ file strictly and hands on only what can be taken at its word.
+// Reads an OBJ file strictly, and rewrites it for tinyobjloader so that nothing in it can be misread.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace strad {
 
 struct ObjScan {
-  // The same scene with nothing left to be misread: v, vt and f with absolute indices; `o N` and `usemtl N`
-  // name by place in the lists below. One face a line of face_lines.
+  // The same scene, simplified: v, vt and f with absolute indices, and `o N` and `usemtl N`, where N is an
+  // index into `objects` or `materials`. Each face has its line in face_lines.
   std::string clean;
   std::vector<uint32_t> face_lines;
   size_t vertex_count = 0, uv_count = 0;
@@ -22,8 +22,8 @@ struct ObjScan {
     uint32_t line = 0;  // where it is first used
   };
   std::vector<Named> objects;    // "object", "group" or "object/group"
-  std::vector<Named> materials;  // names used by faces; "" where none is in force
-  std::vector<Named> libraries;  // what follows each mtllib
+  std::vector<Named> materials;  // names used by faces; "" for faces before any usemtl
+  std::vector<Named> libraries;  // the rest of each mtllib line
 };
 
 // `name` is the file's in errors. Throws BadInput at the first fault.

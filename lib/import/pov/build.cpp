@@ -1,4 +1,4 @@
-// What a POV-Ray file describes, put into a scene: surfaces, materials, the camera.
+// Puts what a POV-Ray file describes into a scene: surfaces, materials, the camera.
 #include "import/pov/build.h"
 
 #include <cmath>
@@ -6,25 +6,15 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "image/files.h"
-#include "image/srgb.h"
+#include "import/load_texture.h"
 #include "import/polygonize.h"
 
 namespace strad {
 
-void PovBuilder::refuse(const PovProblem& problem) {
-  if (!options_.skip_unknown)
-    fail_at(problem.place.file, problem.place.line, problem.what + " is not supported");
-  report_->add(problem.what + " left out", problem.place.file, problem.place.line);
-}
-
-std::string PovBuilder::unique(const std::string& name, std::map<std::string, int>* uses) {
-  const int use = ++(*uses)[name];
-  return use == 1 ? name : name + "_" + std::to_string(use);
-}
-
 uint32_t PovBuilder::vertex(Vec3 p) {
-  const auto rounded = [](double x) { return static_cast<float>(x) + 0.0f; };  // as streams hold them, no -0
+  const auto rounded = [](double x) {
+    return static_cast<float>(x) + 0.0f;
+  };  // to float, as in streams; + 0 turns -0 into 0
   p = placed(p);
   const std::tuple key{rounded(p.x), rounded(p.y), rounded(p.z)};
   const auto [found, is_new] = vertices_.insert({key, static_cast<uint32_t>(scene_.vertices.size())});
@@ -45,22 +35,8 @@ uint32_t PovBuilder::texture_of(const PovImage& image, const PovPlace& place) {
     report_->add(what + ": left out", place.file, place.line);
     return textures_[image.path] = kNone;
   }
-  try {
-    SrgbImage picture;
-    if (image.linear) {
-      // Its numbers are light, but were taken to be on the sRGB curve.
-      const Image loaded = load_image(image.path);
-      picture.width = loaded.width;
-      picture.height = loaded.height;
-      for (const Rgb pixel : loaded.pixels)
-        for (int c = 0; c < 3; ++c) picture.bytes.push_back(srgb_byte(srgb_from_linear(pixel[c])));
-    } else {
-      picture = load_srgb_image(image.path);
-    }
-    scene_.textures.push_back({image.name, picture.width, picture.height, std::move(picture.bytes)});
-  } catch (const std::exception& error) {
-    fail_at(image.place.file, image.place.line, error.what());
-  }
+  scene_.textures.push_back(
+      load_texture({image.path, image.name, image.linear, image.place.file, image.place.line}));
   return textures_[image.path] = static_cast<uint32_t>(scene_.textures.size() - 1);
 }
 
@@ -68,7 +44,7 @@ uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& o
   const bool named = !surface.name.empty();
   if (const auto known = material_of_surface_.find(&surface); named && known != material_of_surface_.end())
     return known->second;
-  for (const PovProblem& problem : surface.problems) refuse(problem);
+  for (const PovProblem& problem : surface.problems) refuse(problem, options_, report_);
   for (const PovProblem& note : surface.notes) report_->add(note.what, note.place.file, note.place.line);
   Material material;
   const std::string name = named ? surface.name : object_name;
@@ -87,14 +63,15 @@ uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& o
   const auto [found, is_new] = materials_.insert({{name, r.r, r.g, r.b, e.r, e.g, e.b, material.texture},
                                                   static_cast<uint32_t>(scene_.materials.size())});
   if (is_new) {
-    material.name = unique(name, &material_uses_);
+    material.name = material_names_.unique(name);
     scene_.materials.push_back(material);
   }
   if (named) material_of_surface_[&surface] = found->second;
   return found->second;
 }
 
-// Lamps that cast no shadow are there to be looked at; the light that they hide is what lights the scene.
+// A glowing surface with no_shadow is the picture of a lamp around a light source. The light source lights
+// the scene, so the surface must not.
 bool PovBuilder::left_out(const PovFacet& facet, const PovObject& object) {
   if (!facet.no_shadow) return false;
   if (is_black(facet.surface->emission)) {
@@ -121,7 +98,7 @@ void PovBuilder::add_facet(const PovFacet& facet, const PovObject& object, uint3
     outline.push_back(scene_.vertices[corners.back()]);
   }
   const size_t count = corners.size();
-  // Mirrored space turns outlines around.
+  // A mirrored outline runs the other way round.
   const auto at = [&](size_t i) { return mirror_ ? count - 1 - i : i; };
   if (mirror_) std::reverse(outline.begin(), outline.end());
   std::vector<OutlinePiece> pieces;
@@ -133,7 +110,8 @@ void PovBuilder::add_facet(const PovFacet& facet, const PovObject& object, uint3
   if (pieces.empty()) return;
   const uint32_t material = material_of(*facet.surface, object_name);
   const bool textured = scene_.materials[material].texture != kNone;
-  if (textured && facet.uvs.empty()) refuse({"image_map without uv_vectors", facet.surface->place});
+  if (textured && facet.uvs.empty())
+    refuse({"image_map without uv_vectors", facet.surface->place}, options_, report_);
   for (const OutlinePiece& piece : pieces) {
     Polygon polygon;
     polygon.object = scene_object;
@@ -148,10 +126,10 @@ void PovBuilder::add_facet(const PovFacet& facet, const PovObject& object, uint3
 }
 
 void PovBuilder::add_object(const std::string& name, const PovObject& object) {
-  for (const PovProblem& problem : object.problems) refuse(problem);
+  for (const PovProblem& problem : object.problems) refuse(problem, options_, report_);
   for (const PovProblem& note : object.notes) report_->add(note.what, note.place.file, note.place.line);
   if (object.facets.empty()) return;
-  const std::string full = unique(name, &object_uses_);
+  const std::string full = object_names_.unique(name);
   std::vector<uint32_t> object_of_part(object.parts.size(), kNone);
   for (const PovFacet& facet : object.facets) {
     if (left_out(facet, object)) continue;
@@ -166,7 +144,7 @@ void PovBuilder::add_object(const std::string& name, const PovObject& object) {
 }
 
 void PovBuilder::add_camera(const PovCamera& camera) {
-  if (camera.problem) refuse(*camera.problem);
+  if (camera.problem) refuse(*camera.problem, options_, report_);
   const double height = length(camera.up), depth = length(camera.direction);
   if (!(height > 0) || !(depth > 0) || !(length(cross(camera.up, camera.direction)) > 0))
     fail_at(camera.place.file, camera.place.line, "the camera has no direction or no upward vector");

@@ -1,7 +1,7 @@
 // POV-Ray's light sources as spotlights and emitting panels of the same light.
 //
-// POV-Ray shows pigment * diffuse * colour * cos; strad shows reflectance / pi * I cos / r^2. So I = pi r^2
-// colour, with what POV-Ray's fading makes of the colour at r.
+// A surface in POV-Ray has the radiance pigment * diffuse * colour * cos, in strad reflectance / pi * I cos /
+// r^2. So I = pi r^2 colour, where `colour` is that of the light as faded at distance r.
 #include <cmath>
 
 #include "base/error.h"
@@ -12,10 +12,10 @@
 namespace strad {
 namespace {
 
-constexpr double kDegree = kPi / 180;
 constexpr double kFullCone = 179.99 * kDegree;  // a cone must be narrower than a sphere
 
-// strad-frame --pov writes these beside surfaces that emit: they would be lit twice.
+// Names of the lights that strad-frame --pov writes for emitting surfaces. The surfaces come back as
+// emitters, so with these lights their light would count twice.
 constexpr std::string_view kOwnLamps = "strad_lamp_";
 
 Box box_of(const Scene& scene) {
@@ -26,10 +26,10 @@ Box box_of(const Scene& scene) {
 
 }  // namespace
 
-// On the light's axis, W / sr.
+// The intensity on the light's axis, W / sr.
 Rgb PovBuilder::intensity_of(const PovLight& light) {
   const double d = light.fade_distance;
-  // 2 / (1 + (r / d)^2), which is 2 d^2 / r^2 beyond the source itself.
+  // The fading 2 / (1 + (r / d)^2) is 2 d^2 / r^2 for r far above d.
   if (d > 0 && light.fade_power == 2) return static_cast<float>(2 * kPi * d * d) * light.colour;
   const Vec3 target = light.spotlight ? light.point_at : placed(box_of(scene_).centre());
   const double r = length(target - light.location);
@@ -43,7 +43,7 @@ Rgb PovBuilder::intensity_of(const PovLight& light) {
 }
 
 void PovBuilder::add_light(const PovLight& light) {
-  for (const PovProblem& problem : light.problems) refuse(problem);
+  for (const PovProblem& problem : light.problems) refuse(problem, options_, report_);
   if (std::min({light.colour.r, light.colour.g, light.colour.b}) < 0)
     fail_at(light.place.file, light.place.line, "the colour of a light is negative");
   if (is_black(light.colour) || light.name.starts_with(kOwnLamps)) return;
@@ -52,7 +52,8 @@ void PovBuilder::add_light(const PovLight& light) {
   const Rgb intensity = intensity_of(light);
   const Vec3 across = cross(light.axis1, light.axis2);
   const bool has_area = light.area && length(across) > 1e-12 * (length2(light.axis1) + length2(light.axis2));
-  // A spotlight as wide as a hemisphere, falling with the cosine, is how POV-Ray says "a lamp".
+  // A spotlight as wide as a hemisphere that falls with the cosine is POV-Ray's way to write a diffuse
+  // emitter.
   const bool is_lambertian = light.tightness == 1 && std::abs(light.radius) >= 90 && light.falloff >= 90;
   if (has_area && light.spotlight && is_lambertian) {
     const Vec3 towards = light.point_at - light.location;
@@ -69,7 +70,7 @@ void PovBuilder::add_light(const PovLight& light) {
 
 void PovBuilder::add_spot(const PovLight& light, Rgb intensity) {
   Spot spot;
-  spot.name = unique(light.name.empty() ? "light_source" : light.name, &spot_uses_);
+  spot.name = spot_names_.unique(light.name.empty() ? "light_source" : light.name);
   spot.inner = spot.outer = kFullCone;
   Vec3 aim = light.location - Vec3{0, 1, 0};
   if (light.spotlight) {
@@ -85,8 +86,9 @@ void PovBuilder::add_spot(const PovLight& light, Rgb intensity) {
   scene_.spots.push_back(std::move(spot));
 }
 
-// A Lambertian panel of radiance Le has Le A on its axis, and sends pi Le A to its front; a point light sends
-// 2 pi I to each side. It is moved off its plane by a thousandth of its size: many lie in a ceiling.
+// A Lambertian panel of radiance Le and area A has the intensity Le A on its axis and the power pi Le A; a
+// point light sends 2 pi I to each side. The panel is moved to its front by a thousandth of its size, because
+// many lie in the plane of a ceiling.
 void PovBuilder::add_panel(const PovLight& light, Rgb intensity, Vec3 front, bool is_lambertian) {
   const double area = length(cross(light.axis1, light.axis2));
   auto surface = std::make_shared<PovSurface>();
@@ -102,7 +104,7 @@ void PovBuilder::add_panel(const PovLight& light, Rgb intensity, Vec3 front, boo
   panel.facets.emplace_back();
   panel.facets[0].corners = {0, 1, 2, 3};
   panel.facets[0].surface = surface;
-  panels_.push_back(surface);  // materials are known by where their surface is
+  panels_.push_back(surface);  // kept alive: materials are looked up by the address of their surface
   add_object(light.name.empty() ? "light_source" : light.name, panel);
 }
 

@@ -1,13 +1,14 @@
-// POV-Ray's triangles, polygons and meshes, read.
+// Reads POV-Ray's triangles, polygons and meshes.
 #include "base/error.h"
 #include "base/text.h"
-#include "import/pov/scene.h"
+#include "import/pov/scene_reader.h"
 #include "import/pov/shapes.h"
 
 namespace strad {
 namespace {
 
-// POV-Ray's outside of a triangle: its normal is that of a left-handed space.
+// Adds a triangle that is wound as in POV-Ray: clockwise seen from outside, in coordinates of a right-handed
+// space.
 void add_triangle(PovObject* object, uint32_t a, uint32_t b, uint32_t c, PovSurfacePointer surface) {
   PovFacet facet;
   facet.corners = {a, c, b};
@@ -17,28 +18,28 @@ void add_triangle(PovObject* object, uint32_t a, uint32_t b, uint32_t c, PovSurf
 
 }  // namespace
 
-// a, b, c, or with normals a, na, b, nb, c, nc.
+// Corners a, b, c; of a smooth triangle each is followed by its normal.
 PovObject PovSceneReader::triangle_shape(bool smooth) {
   PovObject made;
   for (int i = 0; i < 3; ++i) {
-    made.points.push_back(vector());
-    skip_comma();
-    if (smooth) vector(), skip_comma();
+    made.points.push_back(in_.vector());
+    in_.skip_comma();
+    if (smooth) in_.vector(), in_.skip_comma();
   }
   add_triangle(&made, 0, 1, 2, nullptr);
   return made;
 }
 
-// A ring ends where its first point comes again.
+// A ring ends where its first point is repeated.
 PovObject PovSceneReader::polygon_shape() {
-  const PovPlace at = place();
-  const int count = integer();
-  skip_comma();
+  const PovPlace at = in_.place();
+  const int count = in_.integer();
+  in_.skip_comma();
   std::vector<std::vector<Vec3>> rings;
   bool open = false;
   for (int i = 0; i < count; ++i) {
-    const Vec3 point = vector();
-    skip_comma();
+    const Vec3 point = in_.vector();
+    in_.skip_comma();
     if (!open) {
       rings.emplace_back().push_back(point);
       open = true;
@@ -57,19 +58,19 @@ PovObject PovSceneReader::polygon_shape() {
 PovObject PovSceneReader::mesh_shape() {
   PovObject made;
   made.compound = true;
-  while (next_is("triangle") || next_is("smooth_triangle")) {
-    const bool smooth = take().text == "smooth_triangle";
-    expect("{");
+  while (in_.next_is("triangle") || in_.next_is("smooth_triangle")) {
+    const bool smooth = in_.take().text == "smooth_triangle";
+    in_.expect("{");
     const PovObject triangle = triangle_shape(smooth);
     PovSurfacePointer surface;
-    while (!take_if("}")) {
-      if (take_if("texture")) {
-        const auto known = named<PovTexture>();  // texture Name, without braces, is old usage
+    while (!in_.take_if("}")) {
+      if (in_.take_if("texture")) {
+        const auto known = in_.named<PovTexture>();  // `texture Name` without braces is an old form
         surface = surface_of(known ? *known : texture_block(default_texture_));
-      } else if (peek().kind == PovKind::kWord) {
-        skip_item();  // uv_vectors, texture_list
+      } else if (in_.peek().kind == PovKind::kWord) {
+        in_.skip_item();  // uv_vectors, texture_list
       } else {
-        fail_expected("texture or }");
+        in_.fail_expected("texture or }");
       }
     }
     const auto first = static_cast<uint32_t>(made.points.size());
@@ -81,54 +82,54 @@ PovObject PovSceneReader::mesh_shape() {
 
 PovMeshLists PovSceneReader::mesh2_lists(PovObject* made) {
   PovMeshLists lists;
-  lists.file = place().file;
-  while (peek().kind == PovKind::kWord) {
-    const std::string kind(peek().text);
+  lists.file = in_.place().file;
+  while (in_.peek().kind == PovKind::kWord) {
+    const std::string kind(in_.peek().text);
     const bool known = kind == "vertex_vectors" || kind == "uv_vectors" || kind == "texture_list" ||
                        kind == "face_indices" || kind == "uv_indices";
     if (!known && (kind == "normal_vectors" || kind == "normal_indices" || kind == "inside_vector")) {
-      skip_item();
+      in_.skip_item();
       continue;
     }
     if (!known) break;
-    take();
-    expect("{");
-    integer();  // the count: what is there counts
-    skip_comma();
-    while (!take_if("}")) {
+    in_.take();
+    in_.expect("{");
+    in_.integer();  // the stated count is not needed
+    in_.skip_comma();
+    while (!in_.take_if("}")) {
       if (kind == "vertex_vectors") {
-        made->points.push_back(vector());
+        made->points.push_back(in_.vector());
       } else if (kind == "uv_vectors") {
-        made->uvs.push_back(vector2());
+        made->uvs.push_back(in_.vector2());
       } else if (kind == "texture_list") {
-        if (!take_if("texture")) fail_expected("texture or }");
+        if (!in_.take_if("texture")) in_.fail_expected("texture or }");
         lists.surfaces.push_back(surface_of(texture_block(default_texture_)));
       } else if (kind == "uv_indices") {
         lists.uv_faces.push_back(index_triple());
       } else {
         mesh2_face(&lists);
       }
-      skip_comma();
+      in_.skip_comma();
     }
   }
   return lists;
 }
 
 std::array<int, 3> PovSceneReader::index_triple() {
-  const Vec3 indices = vector();
+  const Vec3 indices = in_.vector();
   return {static_cast<int>(indices.x), static_cast<int>(indices.y), static_cast<int>(indices.z)};
 }
 
-// <a, b, c>, behind it no number, that of a texture, or one for each corner.
+// <a, b, c>, then nothing, the index of a texture, or three: one per corner.
 void PovSceneReader::mesh2_face(PovMeshLists* lists) {
   PovMeshLists::Face face;
-  face.line = peek().line;
+  face.line = in_.peek().line;
   face.corners = index_triple();
-  skip_comma();
-  while (expression_is_next() && !next_is("<")) {
-    if (face.texture_count == 3) fail_expected("a face or }");
-    face.textures[static_cast<size_t>(face.texture_count++)] = integer();
-    skip_comma();
+  in_.skip_comma();
+  while (in_.expression_is_next() && !in_.next_is("<")) {
+    if (face.texture_count == 3) in_.fail_expected("a face or }");
+    face.textures[static_cast<size_t>(face.texture_count++)] = in_.integer();
+    in_.skip_comma();
   }
   lists->faces.push_back(face);
 }

@@ -1,17 +1,14 @@
-// POV-Ray's objects, their modifiers, and what stands alone in a file.
+// POV-Ray's objects, their modifiers, and the statements of a file.
 #include <algorithm>
 
 #include "base/error.h"
 #include "base/text.h"
-#include "import/pov/scene.h"
+#include "import/pov/scene_reader.h"
 #include "import/pov/shapes.h"
+#include "import/pov/unique_names.h"
 
 namespace strad {
 namespace {
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 bool is_object(std::string_view word) {
   return is_one_of(word, {"object", "box", "sphere", "cylinder", "cone", "disc", "plane", "triangle",
@@ -26,26 +23,19 @@ bool is_unknown_object(std::string_view word) {
              "sor",           "sphere_sweep",  "superellipsoid", "text",       "torus"});
 }
 
-// `name`, behind it a number from its second use on.
-std::string numbered(const std::string& name, std::map<std::string, int>* uses) {
-  const int use = ++(*uses)[name];
-  return use == 1 ? name : name + "_" + std::to_string(use);
-}
-
-// Adds `child`, which was declared as `name` or has none, to a compound object.
-void add_child(PovObject* object, std::map<std::string, int>* uses, const PovObject& child,
-               const std::string& name) {
+// Adds `child` to a compound object. `name`: that of its declaration, or empty.
+void add_child(PovObject* object, UniqueNames* names, const PovObject& child, const std::string& name) {
   const auto first_point = static_cast<uint32_t>(object->points.size());
   const auto first_uv = static_cast<uint32_t>(object->uvs.size());
   object->points.insert(object->points.end(), child.points.begin(), child.points.end());
   object->uvs.insert(object->uvs.end(), child.uvs.begin(), child.uvs.end());
   std::vector<uint32_t> part_of(child.parts.size(), 0);
-  const std::string own = name.empty() ? "" : numbered(name, uses);
+  const std::string own = name.empty() ? "" : names->unique(name);
   for (size_t i = 0; i < child.parts.size(); ++i) {
     const std::string& part = child.parts[i];
     if (own.empty() && part.empty()) continue;  // belongs to the object itself
     part_of[i] = static_cast<uint32_t>(object->parts.size());
-    object->parts.push_back(own.empty() ? numbered(part, uses) : part.empty() ? own : own + "/" + part);
+    object->parts.push_back(own.empty() ? names->unique(part) : part.empty() ? own : own + "/" + part);
   }
   for (PovFacet facet : child.facets) {
     for (uint32_t& corner : facet.corners) corner += first_point;
@@ -61,34 +51,42 @@ void add_child(PovObject* object, std::map<std::string, int>* uses, const PovObj
 
 }  // namespace
 
-std::optional<PovValue> PovSceneReader::describe(std::string_view word) {
+std::any PovSceneReader::describe(std::string_view word) {
   if (is_object(word) || is_unknown_object(word)) return std::make_shared<const PovObject>(object());
-  if (take_if("texture")) {
+  if (in_.take_if("texture")) {
     PovTexture texture = texture_block(default_texture_);
-    // Of layers, the last is on top.
-    while (next_is_plainly("texture")) take(), texture = texture_block(default_texture_);
+    // Of layered textures the last is on top.
+    while (in_.next_is_plainly("texture")) in_.take(), texture = texture_block(default_texture_);
     return texture;
   }
-  if (take_if("material")) return material_block(default_texture_);
-  if (take_if("pigment")) return pigment_block(default_texture_.pigment);
-  if (take_if("finish")) return finish_block(default_texture_.finish);
-  if (take_if("transform")) return transform_block();
-  if (take_if("light_source")) return light_block();
-  if (take_if("camera")) return camera_block();
+  if (in_.take_if("material")) return material_block(default_texture_);
+  if (in_.take_if("pigment")) return pigment_block(default_texture_.pigment);
+  if (in_.take_if("finish")) return finish_block(default_texture_.finish);
+  if (in_.take_if("transform")) return transform_block();
+  if (in_.take_if("light_source")) return light_block();
+  if (in_.take_if("camera")) return camera_block();
   if (PovTransform one; transformation(&one)) return one;
   return {};
 }
 
+// Materials, parts and lights keep the names of their declarations.
+void PovSceneReader::name_declared(const std::string& name, std::any* value) {
+  if (auto* texture = std::any_cast<PovTexture>(value)) texture->name = name;
+  if (auto* pigment = std::any_cast<PovPigment>(value)) pigment->name = name;
+  if (auto* light = std::any_cast<PovLight>(value)) light->name = name;
+  if (auto* camera = std::any_cast<PovCamera>(value)) camera->name = name;
+}
+
 void PovSceneReader::read(const std::string& path) {
-  open(path);
-  while (peek().kind != PovKind::kEnd) statement();
+  in_.open(path);
+  while (in_.peek().kind != PovKind::kEnd) statement();
 }
 
 void PovSceneReader::statement() {
-  const PovPlace at = place();
-  if (take_if(";")) return;
-  if (peek().kind != PovKind::kWord) fail_expected("an object, a light or a directive");
-  const std::string word(peek().text);
+  const PovPlace at = in_.place();
+  if (in_.take_if(";")) return;
+  if (in_.peek().kind != PovKind::kWord) in_.fail_expected("an object, a light or a directive");
+  const std::string word(in_.peek().text);
   if (is_object(word) || is_unknown_object(word)) {
     std::string name;
     PovObject made = object(&name);
@@ -97,41 +95,41 @@ void PovSceneReader::statement() {
       if (!facet.surface) facet.surface = plain;
     if (made.plane) made.problems.push_back({"plane without bounds (clipped_by a box)", at});
     placed_.push_back({name, std::move(made)});
-  } else if (take_if("light_source")) {
+  } else if (in_.take_if("light_source")) {
     PovObject carrier;
     carrier.lights.push_back(light_block());
     placed_.push_back({"light_source", std::move(carrier)});
-  } else if (take_if("camera")) {
+  } else if (in_.take_if("camera")) {
     camera_ = camera_block();
-  } else if (take_if("global_settings")) {
-    skip_block();
-  } else if (take_if("background")) {
-    expect("{");
-    if (!is_black(colour())) refuse({"background light", at});
-    expect("}");
+  } else if (in_.take_if("global_settings")) {
+    in_.skip_block();
+  } else if (in_.take_if("background")) {
+    in_.expect("{");
+    if (!is_black(in_.colour())) refuse({"background light", at}, options_, report_);
+    in_.expect("}");
   } else if (is_one_of(word, {"sky_sphere", "fog", "rainbow", "media", "photons"})) {
-    refuse({word, at});
-    skip_item();
+    refuse({word, at}, options_, report_);
+    in_.skip_item();
   } else {
-    if (!options_.skip_unknown) fail_expected("an object, a light or a directive");
-    refuse({in_quotes(word), at});
-    skip_item();
+    if (!options_.skip_unknown) in_.fail_expected("an object, a light or a directive");
+    refuse({in_quotes(word), at}, options_, report_);
+    in_.skip_item();
   }
 }
 
 PovObject PovSceneReader::object(std::string* name) {
-  const Deeper deeper(this);
-  const PovPlace at = place();
-  const std::string kind(take().text);
+  const PovInterpreter::Deeper deeper(&in_);
+  const PovPlace at = in_.place();
+  const std::string kind(in_.take().text);
   PovObject made;
   made.place = at;
   if (is_unknown_object(kind)) {
-    skip_block();
+    in_.skip_block();
     made.problems.push_back({kind, at});
   } else {
-    expect("{");
+    in_.expect("{");
     std::string declared;
-    if (auto known = named<std::shared_ptr<const PovObject>>(&declared)) {
+    if (auto known = in_.named<std::shared_ptr<const PovObject>>(&declared)) {
       made = **known;
       for (PovLight& light : made.lights)
         if (light.name.empty()) light.name = declared;
@@ -147,9 +145,9 @@ PovObject PovSceneReader::object(std::string* name) {
 
 PovObject PovSceneReader::shape(const std::string& kind, std::string* name) {
   if (kind == "box") {
-    const Vec3 corner = vector();
-    skip_comma();
-    return pov_box(corner, vector());
+    const Vec3 corner = in_.vector();
+    in_.skip_comma();
+    return pov_box(corner, in_.vector());
   }
   if (kind == "sphere") return sphere_shape();
   if (kind == "cylinder" || kind == "cone") return cone_shape(kind == "cylinder");
@@ -160,33 +158,34 @@ PovObject PovSceneReader::shape(const std::string& kind, std::string* name) {
   if (kind == "mesh") return mesh_shape();
   if (kind == "mesh2") return mesh2_shape();
   if (kind == "union" || kind == "merge") return union_shape();
-  // object { ... }: a light, or another object
+  // object { ... } holds a light or another object.
   PovObject made;
-  if (auto light = named<PovLight>(name)) {
+  if (auto light = in_.named<PovLight>(name)) {
     made.lights.push_back(*light);
     made.lights.back().name = *name;
     return made;
   }
-  if (take_if("light_source")) {
+  if (in_.take_if("light_source")) {
     made.lights.push_back(light_block());
     return made;
   }
-  if (peek().kind != PovKind::kWord || !(is_object(peek().text) || is_unknown_object(peek().text)))
-    fail_expected("an object");
+  if (in_.peek().kind != PovKind::kWord ||
+      !(is_object(in_.peek().text) || is_unknown_object(in_.peek().text)))
+    in_.fail_expected("an object");
   return object();
 }
 
 PovObject PovSceneReader::union_shape() {
   PovObject made;
   made.compound = true;
-  std::map<std::string, int> uses;
-  while (peek().kind == PovKind::kWord) {
-    if (is_object(peek().text) || is_unknown_object(peek().text)) {
-      const bool may_be_named = next_is("object");
+  UniqueNames names;
+  while (in_.peek().kind == PovKind::kWord) {
+    if (is_object(in_.peek().text) || is_unknown_object(in_.peek().text)) {
+      const bool may_be_named = in_.next_is("object");
       std::string name;
       const PovObject child = object(&name);
-      add_child(&made, &uses, child, may_be_named && name != "object" ? name : "");
-    } else if (take_if("light_source")) {
+      add_child(&made, &names, child, may_be_named && name != "object" ? name : "");
+    } else if (in_.take_if("light_source")) {
       made.lights.push_back(light_block());
     } else {
       break;
@@ -195,14 +194,16 @@ PovObject PovSceneReader::union_shape() {
   return made;
 }
 
-// clipped_by or bounded_by { a convex object }: what a plane needs. It moves with the plane from here on.
+// clipped_by or bounded_by { a convex object } of a plane: makes it finite. Later transformations move the
+// cut plane as a whole.
 void PovSceneReader::clip(PovObject* object, Modifiers* modifiers) {
-  const PovPlace at = place();
-  take();
-  expect("{");
-  if (peek().kind != PovKind::kWord || !is_object(peek().text)) fail_expected("a box that bounds the plane");
+  const PovPlace at = in_.place();
+  in_.take();
+  in_.expect("{");
+  if (in_.peek().kind != PovKind::kWord || !is_object(in_.peek().text))
+    in_.fail_expected("a box that bounds the plane");
   const PovObject bounds = this->object();
-  expect("}");
+  in_.expect("}");
   move_object(object, modifiers->transform);
   modifiers->transform = {};
   PovObject cut = pov_bounded_plane(*object->plane, bounds);
@@ -213,41 +214,41 @@ void PovSceneReader::clip(PovObject* object, Modifiers* modifiers) {
 }
 
 bool PovSceneReader::modifier(Modifiers* modifiers, PovObject* object) {
-  const PovPlace at = place();
+  const PovPlace at = in_.place();
   PovTexture base = modifiers->texture.value_or(default_texture_);
   if (transformation(&modifiers->transform)) return true;
-  if (take_if("texture")) {
+  if (in_.take_if("texture")) {
     modifiers->texture = texture_block(default_texture_);
-  } else if (take_if("material")) {
+  } else if (in_.take_if("material")) {
     modifiers->texture = material_block(default_texture_);
-  } else if (take_if("pigment")) {
+  } else if (in_.take_if("pigment")) {
     base.name.clear();
     base.place = at;
     base.pigment = pigment_block(default_texture_.pigment);
     modifiers->texture = base;
-  } else if (take_if("finish")) {
+  } else if (in_.take_if("finish")) {
     base.place = at;
     base.finish = finish_block(default_texture_.finish);
     modifiers->texture = base;
-  } else if (take_if("no_shadow")) {
+  } else if (in_.take_if("no_shadow")) {
     modifiers->no_shadow = true;
-  } else if (take_if("no_image")) {
+  } else if (in_.take_if("no_image")) {
     object->problems.push_back({"no_image", at});
-  } else if (object->plane && (next_is("clipped_by") || next_is("bounded_by"))) {
+  } else if (object->plane && (in_.next_is("clipped_by") || in_.next_is("bounded_by"))) {
     clip(object, modifiers);
-  } else if (next_is("clipped_by")) {
+  } else if (in_.next_is("clipped_by")) {
     object->problems.push_back({"clipped_by", at});
-    skip_item();
-  } else if (next_is("inverse") || next_is("hollow") || next_is("no_reflection") ||
-             next_is("double_illuminate") || next_is("sturm") || next_is("hierarchy") ||
-             next_is("split_union") || next_is("uv_mapping") || next_is("smooth") ||
-             next_is("no_radiosity")) {
-    take();
-    if (expression_is_next()) numbers();
-  } else if (next_is("normal") || next_is("interior") || next_is("interior_texture") ||
-             next_is("bounded_by") || next_is("photons") || next_is("radiosity") ||
-             next_is("inside_vector")) {
-    skip_item();
+    in_.skip_item();
+  } else if (in_.next_is("inverse") || in_.next_is("hollow") || in_.next_is("no_reflection") ||
+             in_.next_is("double_illuminate") || in_.next_is("sturm") || in_.next_is("hierarchy") ||
+             in_.next_is("split_union") || in_.next_is("uv_mapping") || in_.next_is("smooth") ||
+             in_.next_is("no_radiosity")) {
+    in_.take();
+    if (in_.expression_is_next()) in_.numbers();
+  } else if (in_.next_is("normal") || in_.next_is("interior") || in_.next_is("interior_texture") ||
+             in_.next_is("bounded_by") || in_.next_is("photons") || in_.next_is("radiosity") ||
+             in_.next_is("inside_vector")) {
+    in_.skip_item();
   } else {
     return false;
   }
@@ -256,11 +257,11 @@ bool PovSceneReader::modifier(Modifiers* modifiers, PovObject* object) {
 
 void PovSceneReader::modifiers(PovObject* object) {
   Modifiers found;
-  while (!take_if("}")) {
+  while (!in_.take_if("}")) {
     if (modifier(&found, object)) continue;
-    if (peek().kind != PovKind::kWord) fail_expected("an object's modifier or }");
-    object->problems.push_back({"object modifier " + in_quotes(peek().text), place()});
-    skip_item();
+    if (in_.peek().kind != PovKind::kWord) in_.fail_expected("an object's modifier or }");
+    object->problems.push_back({"object modifier " + in_quotes(in_.peek().text), in_.place()});
+    in_.skip_item();
   }
   finish_object(object, found);
 }

@@ -1,28 +1,21 @@
-// POV-Ray's polygons of several rings: holes are joined to what is around them by bridges.
+// POV-Ray's polygons of several rings. Holes are joined to the ring around them by bridges.
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "import/polygonize.h"
 #include "import/pov/shapes.h"
 
 namespace strad {
 namespace {
 
-Vec3 doubled_area(const std::vector<Vec3>& ring) {
-  Vec3 sum;
-  for (size_t i = 1; i + 1 < ring.size(); ++i) sum += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-  return sum;
-}
-
-// Rings in their common plane.
+// A ring in the common plane of all.
 struct FlatRing {
   std::vector<Vec2> points;
   std::vector<uint32_t> corners;
   double area = 0;  // signed
-  int depth = 0;    // how many others it lies in
+  int depth = 0;    // number of other rings around it
 };
-
-double cross2(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 bool contains(const FlatRing& ring, Vec2 p) {
   bool inside = false;
@@ -33,9 +26,9 @@ bool contains(const FlatRing& ring, Vec2 p) {
   return inside;
 }
 
-// Do the segments cross within both of them?
+// Whether the segments a b and c d cross in the inside of both.
 bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  return cross2(a, b, c) * cross2(a, b, d) < 0 && cross2(c, d, a) * cross2(c, d, b) < 0;
+  return cross2(b - a, c - a) * cross2(b - a, d - a) < 0 && cross2(d - c, a - c) * cross2(d - c, b - c) < 0;
 }
 
 bool crosses(const FlatRing& ring, Vec2 a, Vec2 b) {
@@ -50,7 +43,7 @@ void reverse(FlatRing* ring) {
   ring->area = -ring->area;
 }
 
-// Walks from the outline to the hole along their shortest bridge that crosses nothing, around it and back.
+// Joins a hole to the outline: along the shortest bridge that crosses nothing, around the hole, and back.
 void join(FlatRing* outline, const FlatRing& hole, const std::vector<const FlatRing*>& others) {
   double shortest = std::numeric_limits<double>::infinity();
   size_t from = 0, to = 0;

@@ -3,12 +3,12 @@
 
 #include "base/text.h"
 #include "import/pov/build.h"
-#include "import/pov/scene.h"
+#include "import/pov/scene_reader.h"
 
 namespace strad {
 namespace {
 
-// POV-Ray's own camera has z ahead, y up and x to the right.
+// POV-Ray's default camera is left-handed: z ahead, y up, x to the right.
 bool is_left_handed(const PovCamera& camera) {
   return dot(cross(camera.direction, camera.up), camera.right) < 0;
 }

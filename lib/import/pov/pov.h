@@ -7,9 +7,9 @@
 
 namespace strad {
 
-// `path` "-" is standard input. Reads what POV-Ray would, without rendering: directives, expressions,
-// includes. POV-Ray's space is left-handed: unless the file's camera is a right-handed one, z is mirrored, so
-// that pictures match. Throws IoError or BadInput, which name file and line.
+// `path` "-" is standard input. Directives, expressions and includes are evaluated as in POV-Ray. POV-Ray's
+// space is left-handed: z is mirrored, so that pictures match, unless the file's camera is right-handed.
+// Throws IoError or BadInput, which name file and line.
 Scene import_pov(const std::string& path, const ImportOptions& options, ImportReport* report);
 
 }  // namespace strad

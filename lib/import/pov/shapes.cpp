@@ -1,4 +1,4 @@
-// POV-Ray's round and boxy objects as flat facets.
+// POV-Ray's round objects, boxes and planes as flat facets.
 #include "import/pov/shapes.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ void add_facet(PovObject* object, std::vector<uint32_t> corners) {
   object->facets.push_back(std::move(facet));
 }
 
-// Points of a regular polygon, counter-clockwise seen against the frame's normal; returns the first one's
-// index.
+// Adds the corners of a regular polygon, counter-clockwise seen against the frame's normal. Returns the index
+// of the first.
 uint32_t add_ring(PovObject* object, Vec3 centre, const Frame& frame, double radius, int sides) {
   const auto first = static_cast<uint32_t>(object->points.size());
   for (int i = 0; i < sides; ++i) {
@@ -25,8 +25,8 @@ uint32_t add_ring(PovObject* object, Vec3 centre, const Frame& frame, double rad
   return first;
 }
 
-// Quads, or triangles where a ring is a single point, between two rings; outwards if `upper` is along the
-// normal.
+// Adds the facets between two rings: quads, or triangles if one ring is a single point. They face outwards if
+// `upper` lies along the normal.
 void add_band(PovObject* object, uint32_t lower, bool lower_point, uint32_t upper, bool upper_point,
               int sides) {
   for (int i = 0; i < sides; ++i) {
@@ -141,7 +141,7 @@ PovObject pov_bounded_plane(const PovPlane& plane, const PovObject& bounds) {
     const Vec3 at = bounds.points[side.corners[0]];
     const Vec3 out =
         normalized(cross(bounds.points[side.corners[1]] - at, bounds.points[side.corners[2]] - at));
-    // Many planes lie in a side of their box: they are within.
+    // A plane in a side of its box, which is common, counts as inside.
     const double slack = 1e-9 * box.diagonal();
     std::vector<Vec3> kept;
     for (size_t i = 0; i < outline.size(); ++i) {

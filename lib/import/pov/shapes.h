@@ -1,30 +1,30 @@
-// POV-Ray's round and boxy objects as flat facets, outside outwards.
+// POV-Ray's round objects, boxes, polygons and planes as flat facets. Fronts look outwards.
 #pragma once
 
 #include <vector>
 
-#include "import/pov/values.h"
+#include "import/pov/scene_values.h"
 
 namespace strad {
 
 PovObject pov_box(Vec3 corner, Vec3 opposite);
 
-// `sides` facets around, half as many from pole to pole; its corners lie on the sphere.
+// `sides` facets around, half as many from pole to pole. Corners lie on the sphere.
 PovObject pov_sphere(Vec3 centre, double radius, int sides);
 
-// A cylinder where both radii are equal. Its corners lie on it.
+// A cylinder if both radii are equal. Corners lie on the surface.
 PovObject pov_cone(Vec3 base, double base_radius, Vec3 cap, double cap_radius, int sides, bool open);
 
 PovObject pov_disc(Vec3 centre, Vec3 normal, double radius, double hole_radius, int sides);
 
-// A flat outline of several closed rings, inside where it is within an odd number of them, as one or more
-// facets. Rings that lie in others are joined to them by bridges.
+// A flat polygon of several closed rings, as one or more facets. A point is inside if an odd number of rings
+// is around it. Holes are joined to the ring around them by bridges.
 PovObject pov_polygon(const std::vector<std::vector<Vec3>>& rings);
 
-// What of the plane lies within `bounds`, a convex object such as a box.
+// The part of the plane inside `bounds`, a convex object such as a box.
 PovObject pov_bounded_plane(const PovPlane& plane, const PovObject& bounds);
 
-// Moves an object and all it holds.
+// Transforms an object with all its points, lights and planes.
 void move_object(PovObject* object, const PovTransform& by);
 
 }  // namespace strad

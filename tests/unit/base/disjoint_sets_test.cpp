@@ -1,4 +1,4 @@
-// Disjoint sets and work shared among threads.
+// Disjoint sets, and loops shared among threads.
 #include "base/disjoint_sets.h"
 
 #include <gtest/gtest.h>

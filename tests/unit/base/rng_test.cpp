@@ -1,4 +1,4 @@
-// Random numbers by what they are for: known values, range, evenness.
+// Counter-based random numbers: known values, range, evenness.
 #include "base/rng.h"
 
 #include <gtest/gtest.h>

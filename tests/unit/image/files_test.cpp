@@ -1,5 +1,4 @@
-// Picture files of every kind come back as they were written; what is no picture is refused in one clear
-// line.
+// Picture files of every format are read back as written; files that are no pictures are refused in one line.
 #include "image/files.h"
 
 #include <gtest/gtest.h>
@@ -85,7 +84,7 @@ TEST_F(Files, EqualPixelsAreEqualBytes) {
   for (const char* extension : {"exr", "png", "jpg"}) {
     const std::string first = std::string("a.") + extension, second = std::string("b.") + extension;
     save_image(path(first), ramp());
-    usleep(1'100'000);  // a clock in the file would tick
+    usleep(1'100'000);  // a time stamp in the file would change
     save_image(path(second), ramp());
     EXPECT_EQ(bytes(first), bytes(second)) << extension;
   }

@@ -1,4 +1,4 @@
-// PPM and PFM: literal golden bytes, round trips, and every way in which a file can be wrong.
+// PPM and PFM: literal golden bytes, round trips, and every kind of damaged file.
 #include "image/pnm.h"
 
 #include <gtest/gtest.h>

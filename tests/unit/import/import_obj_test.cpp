@@ -215,8 +215,9 @@ TEST_F(ImportObj, reads_textures_once_and_keeps_their_coordinates) {
   EXPECT_EQ(scene.textures[0].width, 2u);
   EXPECT_EQ(scene.textures[0].srgb[1], 0);
   EXPECT_EQ(scene.materials[1].texture, 0u);
-  EXPECT_EQ(scene.materials[1].reflectance.r, kMaxReflectance);  // the texture alone says what it is
-  EXPECT_EQ(scene.uvs.size(), 3u);                               // that of the plain material is dropped
+  EXPECT_EQ(scene.materials[1].reflectance.r,
+            kMaxReflectance);       // no Kd: as much as is allowed, times the texture
+  EXPECT_EQ(scene.uvs.size(), 3u);  // those of the material without a texture are dropped
   EXPECT_EQ(scene.uvs[scene.polygons[1].uvs[1]], (Vec2{0.25, 0}));
   EXPECT_EQ(scene.polygons[0].uvs[0], kNone);
   EXPECT_EQ(scene.polygons[3].uvs[0], kNone);

@@ -187,8 +187,8 @@ TEST(polygonize, tells_of_an_outline_that_crosses_itself) {
 }
 
 TEST(polygonize, stays_in_the_corners_of_any_outline) {
-  // Points of a fixed scramble: most outlines cross themselves; none may crash or name a corner it does not
-  // have.
+  // Points in a fixed random order: most outlines cross themselves. None may crash, or use a corner that does
+  // not exist.
   uint32_t state = 1;
   const auto random = [&state] { return (state = state * 1664525u + 1013904223u) >> 24; };
   for (int trial = 0; trial < 2000; ++trial) {

@@ -48,7 +48,7 @@ class ImportPov : public testing::Test {
     const std::vector<std::string> lines = report_.lines();
     return index < lines.size() ? without_folder(lines[index]) : "";
   }
-  // The upper corner of a box made with `corner`: what an expression comes to.
+  // The value of an expression: the upper corner of a box made with it.
   Vec3 evaluated(const std::string& corner, const std::string& before = "") {
     const Scene scene = import(kKept + before + "box { <-1000, -1000, -1000>, " + corner + " }");
     Vec3 upper{-1e9, -1e9, -1e9};
@@ -75,7 +75,7 @@ double area_of(const Scene& scene) {
   return area;
 }
 
-// By the divergence theorem; positive when all fronts look outwards.
+// The volume, by the divergence theorem; positive if all fronts look outwards.
 double volume_of(const Scene& scene) {
   double volume = 0;
   for (const Polygon& p : scene.polygons) {
@@ -112,7 +112,7 @@ TEST_F(ImportPov, evaluates_expressions) {
 }
 
 TEST_F(ImportPov, scatters_as_povray_does) {
-  // What povray 3.7 prints for these.
+  // The values that povray 3.7 prints.
   expect_near(evaluated("<rand(S), rand(S), 0>", "#declare S = seed(7);"), {0.95393288, 0.61046628, 0}, 1e-6);
   expect_near(evaluated("vrotate(<1, 2, 3>, <10, 20, 30>)"), {1.06743, 2.28906, 2.76058});
   expect_near(evaluated("<N, 0, 0>", "#declare N = 0; #for (K, 0, 1, 0.1) #declare N = N + 1; #end "),
@@ -211,7 +211,7 @@ TEST_F(ImportPov, bounds_planes_by_boxes) {
       import(kKept + "plane { <0, 2, 0>, 1 rotate 90*z bounded_by { box { -1, 1 } } translate 5*x }");
   EXPECT_NEAR(area_of(turned), 4, 1e-6);
   EXPECT_NEAR(turned.vertices[0].x, 4,
-              1e-6);  // the length of the normal says nothing; it lies in a side of the box
+              1e-6);  // the length of the normal has no effect; the plane lies in a side of the box
 }
 
 TEST_F(ImportPov, gives_textures_to_what_has_none) {
@@ -231,7 +231,7 @@ TEST_F(ImportPov, gives_textures_to_what_has_none) {
   EXPECT_EQ(scene.materials[0].emission, (Rgb{2, 2, 2}));
   EXPECT_EQ(scene.materials[1].name, "Red");
   EXPECT_EQ(scene.materials[1].reflectance, (Rgb{0.25f, 0, 0}));
-  EXPECT_EQ(scene.materials[2].reflectance, (Rgb{0, 0, 0}));  // POV-Ray's own pigment is black
+  EXPECT_EQ(scene.materials[2].reflectance, (Rgb{0, 0, 0}));  // POV-Ray's default pigment is black
 }
 
 TEST_F(ImportPov, reads_meshes) {
@@ -252,7 +252,7 @@ TEST_F(ImportPov, reads_meshes) {
   EXPECT_NEAR(reflectance(1), (0.25 + 0.75 + 0.75) / 3, 1e-6);
   EXPECT_FLOAT_EQ(reflectance(2), 0.5f);
   EXPECT_NEAR(scene.materials[scene.polygons[1].material].emission.b, 2.0 / 3 * 0.75 * 4, 1e-6);
-  expect_near(normal_of(scene, 0), {0, 0, -1});  // clockwise, where coordinates stay as they are
+  expect_near(normal_of(scene, 0), {0, 0, -1});  // clockwise, as coordinates are not mirrored
   EXPECT_EQ(scene.vertices.size(), 4u + 3 + 3);
 }
 

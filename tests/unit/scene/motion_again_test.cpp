@@ -32,7 +32,7 @@ Scene after(std::initializer_list<std::string> texts) {
   return scene;
 }
 
-// All that motion touches, as the stream holds it.
+// All that a motion file can change, as bytes of a stream.
 Bytes motion_bytes(const Scene& scene) {
   Bytes bytes;
   put_motion(&bytes, scene);

@@ -1,4 +1,4 @@
-// What is wrong with a motion file is said in one line: where, what was found, what was expected.
+// Errors in motion files are one line: file and line number, what was found, what was expected.
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -21,7 +21,7 @@ std::string complaint_about(const std::string& text) {
 struct Case {
   const char* name;
   const char* text;
-  const char* complaint;  // all of it
+  const char* complaint;  // the whole message
 };
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
@@ -161,7 +161,7 @@ TEST(MotionFile, a_zero_byte_is_told) {
             "m:2: found a zero byte, expected a motion file, which is text");
 }
 
-// A file cut anywhere is either good so far or refused with a line; never worse.
+// A file that is cut anywhere is either accepted or refused with a line number. It never crashes.
 TEST(MotionFile, every_truncation_is_accepted_or_told) {
   const std::string text =
       "time 0 24\nrate 25\nbody a\n  parts crane_* \"hook\"\n  pivot 0 0 3\n  ease smooth\n"

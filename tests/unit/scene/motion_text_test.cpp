@@ -1,4 +1,4 @@
-// What the motion language says, found in the scene.
+// Statements of the motion language arrive in the scene.
 #include "scene/motion_text.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,6 @@ Scene compiled(const std::string& text) {
   apply_motion(text, "test.motion", scene);
   return scene;
 }
-
-constexpr double kDegree = kPi / 180;
 
 TEST(Motion, an_empty_text_changes_nothing) {
   const Scene scene = compiled("\n  # only a comment\n\n");

@@ -1,4 +1,4 @@
-// Pieces of a polygon fill it, keep its texture coordinates and lie apart where that is asked for.
+// Pieces of a polygon cover it, keep its texture coordinates, and have a gap between them if asked for.
 #include "scene/polygon_pieces.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Scenes in the stream: what was written comes back, a scene that breaks its promises does not pass.
+// Scenes in the stream: what was written is read back, and an invalid scene is refused.
 #include "scene/scene_io.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace strad {
 namespace {
 
-// Uses every field once, with values that floats hold exactly.
+// Uses every field once, with values that are exact as floats.
 Scene full_scene() {
   Scene scene;
   scene.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, -2.25}};
@@ -165,7 +165,7 @@ TEST(SceneIo, AChunkThatComesTwiceIsRefused) {
   EXPECT_EQ(fault_of(chunks), "chunk VERT: there is one already");
 }
 
-// Each breaks one promise of scene.h.
+// Each breaks one rule of scene.h.
 struct Fault {
   const char* name;
   void (*apply)(Scene*);

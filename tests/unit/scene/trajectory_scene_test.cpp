@@ -1,4 +1,4 @@
-// Lights and cameras over time, and what moves or steps when.
+// Lights and cameras over time, times of steps, and which bodies move.
 #include <gtest/gtest.h>
 
 #include "scene/trajectory.h"

@@ -1,4 +1,4 @@
-// Smooth easing: through every key, without a kink, never across a step.
+// Smooth easing: passes through every key, has no kinks, and does not cross steps.
 #include <gtest/gtest.h>
 
 #include "scene/trajectory.h"

@@ -1,4 +1,4 @@
-// Bytes put and got: every value comes back, every short or lying input is refused.
+// Numbers and text as bytes: every value is read back; truncated input and false counts are refused.
 #include "stream/bytes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The frame of a stream: what was written comes back, everything damaged is refused before memory is taken.
+// The framing of a stream: what was written is read back; damaged input is refused before memory is taken.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -28,7 +28,7 @@ std::vector<Chunk> read_all(const Bytes& stream) {
   return chunks;
 }
 
-// What BadInput says, or "" when the stream is accepted.
+// The text of BadInput, or "" if the stream is accepted.
 std::string fault_of(const Bytes& stream) {
   try {
     read_all(stream);
@@ -157,11 +157,12 @@ TEST(Chunks, AContentSizeThatNoFrameOfThatLengthHoldsIsRefused) {
             std::string::npos);
 }
 
-// 16 MiB of payload that claim 256 GiB: the claim is within reach of a zstd frame, so only unpacking tells.
-// With 1 GiB of address space, taking memory at the claim's word would end in bad_alloc instead of BadInput.
+// 16 MiB of payload that claim 256 GiB. A zstd frame of that size could hold as much, so the claim is found
+// false only by unpacking. With 1 GiB of address space, reserving what is claimed would give bad_alloc
+// instead of BadInput.
 TEST(Chunks, MemoryIsNotTakenAtTheWordOfAFrame) {
   Bytes payload = frame_that_claims(uint64_t{1} << 38);
-  payload.resize(16 << 20);  // one raw block without content, then rubbish
+  payload.resize(16 << 20);  // one raw block without content, then zeros
   const Bytes stream = stream_of(payload);
   rlimit limit{};
   getrlimit(RLIMIT_AS, &limit);

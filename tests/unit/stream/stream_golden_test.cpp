@@ -1,4 +1,4 @@
-// Version 1 of the stream, byte for byte: what is on people's disks must stay readable.
+// Version 1 of the stream, byte for byte: files written by earlier versions must stay readable.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -5,18 +5,12 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "import/pov/language.h"
+#include "import/pov/language/interpreter.h"
 
 namespace strad {
 namespace {
 
-PovNumbers number_of(double value) {
-  PovNumbers numbers;
-  numbers[0] = value;
-  return numbers;
-}
-
-// A number stands for a vector of it.
+// A number becomes a vector with that number in each part.
 PovNumbers promoted(PovNumbers from, int size) {
   if (from.size == 1)
     for (int i = 1; i < size; ++i) from[i] = from[0];
@@ -34,16 +28,12 @@ PovNumbers by_parts(const PovNumbers& a, const PovNumbers& b, Operation operatio
   return result;
 }
 
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 bool starts_colour(std::string_view word) {
   return is_one_of(word, {"color", "colour", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "srgbf", "srgbt",
                           "srgbft", "red", "green", "blue", "filter", "transmit"});
 }
 
-// Where a colour word puts the numbers that follow it.
+// The part of a colour that a word names; 5 if it names none.
 int first_part(std::string_view word) {
   const std::array<std::string_view, 5> parts{"red", "green", "blue", "filter", "transmit"};
   return static_cast<int>(std::find(parts.begin(), parts.end(), word) - parts.begin());
@@ -53,7 +43,7 @@ double linear_from_srgb_number(double s) {
   return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
 
-// What follows rgb, rgbf, rgbt and so on, as red, green, blue, filter, transmit.
+// The numbers after rgb, rgbf, rgbt and so on, in the order red, green, blue, filter, transmit.
 PovNumbers colour_from(std::string_view word, PovNumbers from) {
   const bool srgb = word.starts_with('s');
   if (srgb) word.remove_prefix(1);
@@ -67,7 +57,7 @@ PovNumbers colour_from(std::string_view word, PovNumbers from) {
 
 }  // namespace
 
-std::optional<PovNumbers> PovLanguage::constant(std::string_view word) {
+std::optional<PovNumbers> PovInterpreter::constant(std::string_view word) {
   static const std::map<std::string_view, double> kNumbers{{"pi", kPi},
                                                            {"true", 1},
                                                            {"false", 0},
@@ -96,7 +86,7 @@ std::optional<PovNumbers> PovLanguage::constant(std::string_view word) {
   return unit;
 }
 
-bool PovLanguage::expression_is_next() {
+bool PovInterpreter::expression_is_next() {
   const PovToken& token = peek();
   if (token.kind == PovKind::kNumber) return true;
   if (token.kind == PovKind::kSymbol) return is_one_of(token.text, {"<", "(", "-", "+", "!"});
@@ -106,13 +96,13 @@ bool PovLanguage::expression_is_next() {
   return constant(token.text) || starts_colour(token.text) || is_function(token.text);
 }
 
-PovNumbers PovLanguage::numbers() {
+PovNumbers PovInterpreter::numbers() {
   const PovToken& token = peek();
   if (token.kind == PovKind::kWord && starts_colour(token.text)) return colour_numbers();
   return sum();
 }
 
-PovNumbers PovLanguage::colour_numbers() {
+PovNumbers PovInterpreter::colour_numbers() {
   if (!take_if("color")) take_if("colour");
   PovNumbers colour;
   colour.size = 5;
@@ -134,48 +124,49 @@ PovNumbers PovLanguage::colour_numbers() {
   }
 }
 
-double PovLanguage::number() {
+double PovInterpreter::number() {
   const PovPlace at = place();
   const PovNumbers found = numbers();
   if (found.size != 1) fail_at(at.file, at.line, "found a vector, expected a number");
   return found[0];
 }
 
-int PovLanguage::integer() {
+int PovInterpreter::integer() {
   const PovPlace at = place();
   const double found = number();
   if (!(std::abs(found) < 1e9)) fail_at(at.file, at.line, "found a number that is too large");
   return static_cast<int>(std::lround(found));
 }
 
-bool PovLanguage::truth() {
+bool PovInterpreter::truth() {
   expect("(");
   const bool result = logical()[0] != 0;
   expect(")");
   return result;
 }
 
-Vec3 PovLanguage::vector() {
+Vec3 PovInterpreter::vector() {
   const PovNumbers found = promoted(numbers(), 3);
   return {found[0], found[1], found[2]};
 }
 
-Vec2 PovLanguage::vector2() {
+Vec2 PovInterpreter::vector2() {
   const PovNumbers found = promoted(numbers(), 2);
   return {found[0], found[1]};
 }
 
-Rgb PovLanguage::colour() {
+Rgb PovInterpreter::colour() {
   const PovPlace at = place();
   const PovNumbers found = promoted(numbers(), 3);
-  if (found.size >= 4 && (found[3] != 0 || found[4] != 0)) refuse({"transparency of a colour", at});
+  if (found.size >= 4 && (found[3] != 0 || found[4] != 0))
+    refuse({"transparency of a colour", at}, options_, report_);
   Rgb rgb;
   for (int i = 0; i < 3; ++i) rgb[i] = static_cast<float>(found[i]);
   if (!is_finite(rgb)) fail_at(at.file, at.line, "a colour is not finite");
   return rgb;
 }
 
-PovNumbers PovLanguage::logical() {
+PovNumbers PovInterpreter::logical() {
   PovNumbers left = comparison();
   while (next_is("&") || next_is("|")) {
     const bool both = take().text == "&";
@@ -185,7 +176,7 @@ PovNumbers PovLanguage::logical() {
   return left;
 }
 
-PovNumbers PovLanguage::comparison() {
+PovNumbers PovInterpreter::comparison() {
   PovNumbers left = numbers();
   while (peek().kind == PovKind::kSymbol && is_one_of(peek().text, {"<", ">", "<=", ">=", "=", "!="})) {
     const std::string_view sign = take().text;
@@ -200,7 +191,7 @@ PovNumbers PovLanguage::comparison() {
   return left;
 }
 
-PovNumbers PovLanguage::sum() {
+PovNumbers PovInterpreter::sum() {
   PovNumbers left = product();
   while (operator_is_next("+") || operator_is_next("-")) {
     const bool plus = take().text == "+";
@@ -209,7 +200,7 @@ PovNumbers PovLanguage::sum() {
   return left;
 }
 
-PovNumbers PovLanguage::product() {
+PovNumbers PovInterpreter::product() {
   PovNumbers left = unary();
   while (operator_is_next("*") || operator_is_next("/")) {
     const bool times = take().text == "*";
@@ -223,7 +214,7 @@ PovNumbers PovLanguage::product() {
   return left;
 }
 
-PovNumbers PovLanguage::unary() {
+PovNumbers PovInterpreter::unary() {
   std::string signs;
   while (next_is("+") || next_is("-") || next_is("!")) signs += take().text;
   PovNumbers found = postfix();
@@ -234,7 +225,7 @@ PovNumbers PovLanguage::unary() {
   return found;
 }
 
-PovNumbers PovLanguage::postfix() {
+PovNumbers PovInterpreter::postfix() {
   PovNumbers found = primary();
   while (operator_is_next(".")) {
     take();
@@ -255,7 +246,7 @@ PovNumbers PovLanguage::postfix() {
   return found;
 }
 
-PovNumbers PovLanguage::primary() {
+PovNumbers PovInterpreter::primary() {
   const Deeper deeper(this);
   const PovToken& token = peek();
   if (token.kind == PovKind::kNumber) return number_of(take().number);
@@ -271,7 +262,7 @@ PovNumbers PovLanguage::primary() {
   fail_expected("a number");
 }
 
-PovNumbers PovLanguage::named_numbers() {
+PovNumbers PovInterpreter::named_numbers() {
   const std::string name(peek().text);
   const PovPlace at = place();
   const PovValue found = take_named();
@@ -280,7 +271,7 @@ PovNumbers PovLanguage::named_numbers() {
 }
 
 // (a), or (condition ? a : b).
-PovNumbers PovLanguage::parenthesised() {
+PovNumbers PovInterpreter::parenthesised() {
   expect("(");
   PovNumbers found = logical();
   if (take_if("?")) {
@@ -294,7 +285,7 @@ PovNumbers PovLanguage::parenthesised() {
   return found;
 }
 
-PovNumbers PovLanguage::vector_literal() {
+PovNumbers PovInterpreter::vector_literal() {
   expect("<");
   PovNumbers found;
   found.size = 0;
@@ -309,7 +300,7 @@ PovNumbers PovLanguage::vector_literal() {
   return found;
 }
 
-const PovValue* PovLanguage::sample_of(const PovValue* value) {
+const PovValue* PovInterpreter::sample_of(const PovValue* value) {
   while (value && std::holds_alternative<std::shared_ptr<PovArray>>(*value)) {
     const auto& items = std::get<std::shared_ptr<PovArray>>(*value)->items;
     const auto filled =
@@ -320,7 +311,7 @@ const PovValue* PovLanguage::sample_of(const PovValue* value) {
   return value;
 }
 
-size_t PovLanguage::indices_into(const PovArray& array, const std::string& name) {
+size_t PovInterpreter::indices_into(const PovArray& array, const std::string& name) {
   size_t index = 0;
   for (const size_t size : array.sizes) {
     expect("[");
@@ -334,7 +325,7 @@ size_t PovLanguage::indices_into(const PovArray& array, const std::string& name)
   return index;
 }
 
-PovValue PovLanguage::take_named() {
+PovValue PovInterpreter::take_named() {
   const std::string name(take().text);
   PovValue found = *find(name);
   while (std::holds_alternative<std::shared_ptr<PovArray>>(found) && next_is_plainly("[")) {
@@ -346,7 +337,7 @@ PovValue PovLanguage::take_named() {
   return found;
 }
 
-PovValue PovLanguage::array_value() {
+PovValue PovInterpreter::array_value() {
   constexpr double kMostItems = 1e8;
   constexpr size_t kMaxDimensions = 5;  // as in POV-Ray
   auto array = std::make_shared<PovArray>();
@@ -369,8 +360,8 @@ PovValue PovLanguage::array_value() {
   return array;
 }
 
-// Items are gathered as they come, so that a count that lies takes no memory.
-void PovLanguage::fill_array(PovArray* array, size_t dimension, size_t* next) {
+// Items are appended as they are read, so that a false count takes no memory.
+void PovInterpreter::fill_array(PovArray* array, size_t dimension, size_t* next) {
   expect("{");
   for (size_t i = 0; i < array->sizes[dimension]; ++i) {
     if (dimension + 1 < array->sizes.size()) {
@@ -384,7 +375,7 @@ void PovLanguage::fill_array(PovArray* array, size_t dimension, size_t* next) {
   expect("}");
 }
 
-std::string PovLanguage::string() {
+std::string PovInterpreter::string() {
   const Deeper deeper(this);
   const PovToken& token = peek();
   if (token.kind == PovKind::kString) return std::string(take().text);
@@ -395,16 +386,16 @@ std::string PovLanguage::string() {
   fail_expected("a string");
 }
 
-PovValue PovLanguage::value() {
+PovValue PovInterpreter::value() {
   const PovToken token = peek();
   if (token.kind == PovKind::kString || (token.kind == PovKind::kWord && is_string_function(token.text)))
     return string();
   if (token.kind != PovKind::kWord) return numbers();
   if (expression_is_next()) return numbers();
   if (take_if("array")) return array_value();
-  if (auto described = describe(token.text)) return *described;
+  if (std::any described = statements_->describe(token.text); described.has_value()) return described;
   if (find(token.text)) return take_named();
-  // What is of no use here, such as `normal {...}` or `function (x, y) {...}`.
+  // A declaration that has no use here, such as `normal {...}` or `function (x, y) {...}`.
   take();
   while (token.text == "function" && !next_is("{") && peek().kind != PovKind::kEnd) take();
   if (!next_is("{"))

@@ -6,12 +6,10 @@
 #include "base/error.h"
 #include "base/pose.h"
 #include "base/text.h"
-#include "import/pov/language.h"
+#include "import/pov/language/interpreter.h"
 
 namespace strad {
 namespace {
-
-constexpr double kDegree = kPi / 180;
 
 struct NumberFunction {
   std::string_view name;
@@ -51,12 +49,6 @@ constexpr std::array<NumberFunction, 25> kNumberFunctions{{
     {"tan", 1, 1, [](Numbers a) { return std::tan(a[0]); }},
 }};
 
-constexpr std::array<std::string_view, 14> kOtherFunctions{
-    "vlength", "vdot",   "vcross", "vnormalize", "vrotate", "vaxis_rotate",   "seed",
-    "rand",    "strlen", "val",    "asc",        "defined", "dimension_size", "dimensions"};
-constexpr std::array<std::string_view, 7> kStringFunctions{"concat", "str",    "chr", "substr",
-                                                           "strupr", "strlwr", "vstr"};
-
 Vec3 vector_of(const PovNumbers& n) { return n.size == 1 ? Vec3{n[0], n[0], n[0]} : Vec3{n[0], n[1], n[2]}; }
 PovNumbers numbers_of(Vec3 v) {
   PovNumbers n;
@@ -64,21 +56,17 @@ PovNumbers numbers_of(Vec3 v) {
   n.parts = {v.x, v.y, v.z};
   return n;
 }
-PovNumbers number_of(double value) {
-  PovNumbers n;
-  n[0] = value;
-  return n;
-}
 
-// About x, then y, then z. POV-Ray's space is left-handed: turns look clockwise against the axis, but the
-// numbers are those of counter-clockwise turns in a right-handed one.
+// Turns about x, then y, then z. POV-Ray's space is left-handed and its turns are too, so the coordinates are
+// those of counter-clockwise turns in a right-handed space.
 Vec3 turned(Vec3 v, Vec3 degrees) {
   v = rotate(rotation_about({1, 0, 0}, degrees.x * kDegree), v);
   v = rotate(rotation_about({0, 1, 0}, degrees.y * kDegree), v);
   return rotate(rotation_about({0, 0, 1}, degrees.z * kDegree), v);
 }
 
-// As many digits after the point as told; filled to the width with blanks, or zeros where it is negative.
+// `value` with `digits` digits after the point, padded to `width` with blanks, or with zeros if it is
+// negative.
 std::string written(double value, int width, int digits) {
   std::array<char, 400> text;
   const char* format = digits < 0 ? (width < 0 ? "%0*f" : "%*f") : (width < 0 ? "%0*.*f" : "%*.*f");
@@ -90,17 +78,18 @@ std::string written(double value, int width, int digits) {
 
 }  // namespace
 
-bool PovLanguage::is_function(std::string_view name) const {
+bool PovInterpreter::is_function(std::string_view name) const {
   return std::any_of(kNumberFunctions.begin(), kNumberFunctions.end(),
                      [&](const auto& f) { return f.name == name; }) ||
-         std::find(kOtherFunctions.begin(), kOtherFunctions.end(), name) != kOtherFunctions.end();
+         is_one_of(name, {"vlength", "vdot", "vcross", "vnormalize", "vrotate", "vaxis_rotate", "seed",
+                          "rand", "strlen", "val", "asc", "defined", "dimension_size", "dimensions"});
 }
 
-bool PovLanguage::is_string_function(std::string_view name) const {
-  return std::find(kStringFunctions.begin(), kStringFunctions.end(), name) != kStringFunctions.end();
+bool PovInterpreter::is_string_function(std::string_view name) const {
+  return is_one_of(name, {"concat", "str", "chr", "substr", "strupr", "strlwr", "vstr"});
 }
 
-std::vector<PovNumbers> PovLanguage::arguments(size_t least, size_t most) {
+std::vector<PovNumbers> PovInterpreter::arguments(size_t least, size_t most) {
   expect("(");
   std::vector<PovNumbers> found{logical()};
   while (take_if(",")) found.push_back(logical());
@@ -110,7 +99,7 @@ std::vector<PovNumbers> PovLanguage::arguments(size_t least, size_t most) {
   return found;
 }
 
-PovNumbers PovLanguage::function(const std::string& name) {
+PovNumbers PovInterpreter::function(const std::string& name) {
   for (const NumberFunction& known : kNumberFunctions) {
     if (known.name != name) continue;
     std::vector<double> values;
@@ -122,14 +111,14 @@ PovNumbers PovLanguage::function(const std::string& name) {
   return function_of_other_things(name);
 }
 
-// rand() is POV-Ray's own, so that scenes of scattered things come out as in POV-Ray.
-double PovLanguage::random(size_t stream) {
+// POV-Ray's own generator, so that scenes with random positions are the same as in POV-Ray.
+double PovInterpreter::random(size_t stream) {
   if (stream >= random_states_.size()) fail("rand of a stream that seed did not make");
   random_states_[stream] = random_states_[stream] * 1812433253u + 12345u;
   return random_states_[stream] / 4294967295.0;
 }
 
-PovNumbers PovLanguage::function_of_other_things(const std::string& name) {
+PovNumbers PovInterpreter::function_of_other_things(const std::string& name) {
   if (name == "strlen" || name == "val" || name == "asc") {
     expect("(");
     const std::string text = string();
@@ -178,7 +167,7 @@ PovNumbers PovLanguage::function_of_other_things(const std::string& name) {
   return number_of(static_cast<double>(random_states_.size() - 1));
 }
 
-std::string PovLanguage::string_function(const std::string& name) {
+std::string PovInterpreter::string_function(const std::string& name) {
   expect("(");
   std::string result;
   if (name == "str") {

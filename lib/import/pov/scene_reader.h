@@ -1,14 +1,16 @@
-// What POV-Ray's language describes: textures, objects, lights and the camera.
+// Reads POV-Ray's textures, objects, lights and camera.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "import/pov/language.h"
+#include "import/import.h"
+#include "import/pov/language/interpreter.h"
+#include "import/pov/scene_values.h"
 
 namespace strad {
 
-// The lists of a mesh2, as far as they are no points.
+// The lists of a mesh2, except its points and texture coordinates.
 struct PovMeshLists {
   struct Face {
     std::array<int, 3> corners{}, textures{};
@@ -21,30 +23,30 @@ struct PovMeshLists {
   std::string file;
 };
 
-class PovSceneReader : public PovLanguage {
+class PovSceneReader : private PovStatements {
  public:
-  using PovLanguage::PovLanguage;
+  // The arguments must outlive the reader.
+  PovSceneReader(const ImportOptions& options, ImportReport* report)
+      : options_(options), report_(report), in_(options, report, this) {}
 
   struct Placed {
-    std::string name;  // of the declaration it comes from, or what it is
+    std::string name;  // of its declaration, else its kind, such as "sphere"
     PovObject object;
   };
 
-  // All that stands in the file at `path`. Throws IoError or BadInput.
+  // Reads the file at `path`. Throws IoError or BadInput.
   void read(const std::string& path);
 
   const std::vector<Placed>& placed() const { return placed_; }
   const std::optional<PovCamera>& camera() const { return camera_; }
 
- protected:
-  std::optional<PovValue> describe(std::string_view word) override;
-  void default_block() override;
-
  private:
+  std::any describe(std::string_view word) override;
+  void name_declared(const std::string& name, std::any* value) override;
+  void default_block() override;
   void statement();
-  void skip_item();  // a word and what belongs to it
 
-  // Textures, in import_pov_textures.cpp. Each from its opening brace.
+  // Textures, in textures.cpp. Each function reads from the opening brace.
   PovTexture texture_block(const PovTexture& base);
   PovPigment pigment_block(const PovPigment& base);
   PovFinish finish_block(const PovFinish& base);
@@ -54,13 +56,13 @@ class PovSceneReader : public PovLanguage {
   static PovSurfacePointer mean_of(const PovSurfacePointer& a, const PovSurfacePointer& b,
                                    const PovSurfacePointer& c);
 
-  // Objects, in import_pov_objects.cpp, import_pov_primitives.cpp and import_pov_meshes.cpp.
+  // Objects, in objects.cpp, primitives.cpp and meshes.cpp.
   struct Modifiers {
     PovTransform transform;
     std::optional<PovTexture> texture;
     bool no_shadow = false, no_image = false;
   };
-  PovObject object(std::string* name = nullptr);  // from its word
+  PovObject object(std::string* name = nullptr);  // from the word that says its kind
   PovObject shape(const std::string& kind, std::string* name);
   PovObject sphere_shape();
   PovObject cone_shape(bool is_cylinder);
@@ -77,16 +79,25 @@ class PovSceneReader : public PovLanguage {
   void clip(PovObject* object, Modifiers* modifiers);
   void modifiers(PovObject* object);
   bool modifier(Modifiers* modifiers, PovObject* object);
-  bool transformation(PovTransform* transform);  // one, if it is next
+  bool transformation(PovTransform* transform);  // takes one if it is next
   PovTransform transform_block();
   PovTransform matrix();
   void finish_object(PovObject* object, const Modifiers& modifiers);
 
-  // Lights and camera, in import_pov_lights.cpp. Each from its opening brace.
+  // Lights and camera, in lights.cpp. Each block is read from its opening brace.
   PovLight light_block();
   void light_item(PovLight* light);
   PovCamera camera_block();
+  struct CameraAim {
+    std::optional<double> angle;  // horizontal field of view, degrees
+    std::optional<Vec3> look_at;
+    PovTransform moved;
+  };
+  void camera_item(PovCamera* camera, CameraAim* aim);
 
+  const ImportOptions& options_;
+  ImportReport* report_;
+  PovInterpreter in_;
   std::vector<Placed> placed_;
   std::optional<PovCamera> camera_;
   PovTexture default_texture_;

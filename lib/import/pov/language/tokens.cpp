@@ -1,5 +1,5 @@
 // POV-Ray scene files as tokens.
-#include "import/pov/tokens.h"
+#include "import/pov/language/tokens.h"
 
 #include <cctype>
 #include <cmath>

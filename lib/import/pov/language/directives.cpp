@@ -5,137 +5,34 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "import/pov/language.h"
+#include "import/pov/language/interpreter.h"
 
 namespace strad {
 namespace {
 
-// Turns of loops and calls of macros: beyond, a loop is taken for endless.
+// Turns of loops and calls of macros. A file that takes more is refused as endless.
 constexpr size_t kMaxSteps = 5'000'000;
-constexpr size_t kMaxNesting = 100;  // includes and macros in each other
 
 bool opens_block(std::string_view directive) {
-  constexpr std::array<std::string_view, 7> kOpening{"if",  "ifdef",  "ifndef", "while",
-                                                     "for", "switch", "macro"};
-  return std::find(kOpening.begin(), kOpening.end(), directive) != kOpening.end();
+  return is_one_of(directive, {"if", "ifdef", "ifndef", "while", "for", "switch", "macro"});
 }
 
 bool shapes_blocks(std::string_view directive) {
-  constexpr std::array<std::string_view, 6> kShaping{"else", "elseif", "end", "case", "range", "break"};
   return opens_block(directive) ? directive != "macro"
-                                : std::find(kShaping.begin(), kShaping.end(), directive) != kShaping.end();
+                                : is_one_of(directive, {"else", "elseif", "end", "case", "range", "break"});
 }
 
 }  // namespace
 
-void PovLanguage::open(const std::string& path) {
-  if (cursors_.size() >= kMaxNesting) fail("includes and macros are nested too deep");
-  std::shared_ptr<const PovFile>& file = files_[path];
-  if (!file) file = read_pov_file(path);
-  cursors_.emplace_back().file = file;
-}
-
-const PovToken& PovLanguage::peek() {
-  while (true) {
-    Cursor& cursor = here();
-    const PovToken& token = raw();
-    if (cursor.plain == cursor.next) return token;
-    if (token.kind == PovKind::kDirective) {
-      obey();
-    } else if (token.kind == PovKind::kEnd) {
-      if (!cursor.blocks.empty())
-        fail_at(cursor.file->name, cursor.blocks.back().line, "the block is not closed, expected #end");
-      if (cursors_.size() == 1) return token;
-      cursors_.pop_back();
-    } else {
-      const PovValue* known = token.kind == PovKind::kWord ? find(token.text) : nullptr;
-      if (known && std::holds_alternative<PovMacro>(*known)) {
-        call(std::get<PovMacro>(*known));
-        continue;
-      }
-      cursor.plain = cursor.next;
-      return token;
-    }
-  }
-}
-
-PovToken PovLanguage::take() {
-  const PovToken token = peek();
-  if (token.kind != PovKind::kEnd) ++here().next;
-  return token;
-}
-
-bool PovLanguage::next_is(std::string_view text) {
-  const PovToken& token = peek();
-  return (token.kind == PovKind::kSymbol || token.kind == PovKind::kWord) && token.text == text;
-}
-
-bool PovLanguage::next_is_plainly(std::string_view text) {
-  return (raw().kind == PovKind::kWord || raw().kind == PovKind::kSymbol) && raw().text == text;
-}
-
-// A declaration ends the expression before it, for which it must not be obeyed too early.
-bool PovLanguage::operator_is_next(std::string_view symbol) {
+// Whether `symbol` continues an expression. Directives such as #declare end the expression before them, and
+// must not be obeyed before its value is used.
+bool PovInterpreter::operator_is_next(std::string_view symbol) {
   if (raw().kind == PovKind::kDirective && !shapes_blocks(raw().text)) return false;
   return next_is(symbol);
 }
 
-bool PovLanguage::take_if(std::string_view text) {
-  if (!next_is(text)) return false;
-  ++here().next;
-  return true;
-}
-
-void PovLanguage::expect(std::string_view symbol) {
-  if (!take_if(symbol)) fail_expected(std::string(symbol));
-}
-
-void PovLanguage::skip_block() {
-  const PovPlace start = place();
-  expect("{");
-  for (int depth = 1; depth > 0;) {
-    const PovToken token = take();
-    if (token.kind == PovKind::kEnd) fail_at(start.file, start.line, "the block is not closed, expected }");
-    if (token.kind == PovKind::kSymbol && token.text == "{") ++depth;
-    if (token.kind == PovKind::kSymbol && token.text == "}") --depth;
-  }
-}
-
-PovPlace PovLanguage::place_of(const PovToken& token) const {
-  return {cursors_.back().file->name, token.line};
-}
-PovPlace PovLanguage::place() { return place_of(peek()); }
-
-void PovLanguage::fail(const std::string& what) { fail_at(here().file->name, raw().line, what); }
-
-void PovLanguage::fail_expected(const std::string& expected) {
-  const PovToken& token = raw();
-  const std::string found = token.kind == PovKind::kEnd         ? "the end of the file"
-                            : token.kind == PovKind::kDirective ? "#" + std::string(token.text)
-                                                                : in_quotes(token.text);
-  fail("found " + found + ", expected " + expected);
-}
-
-void PovLanguage::refuse(const PovProblem& problem) {
-  if (!options_.skip_unknown)
-    fail_at(problem.place.file, problem.place.line, problem.what + " is not supported");
-  report_->add(problem.what + " left out", problem.place.file, problem.place.line);
-}
-
-const PovValue* PovLanguage::find(std::string_view name) const {
-  for (auto cursor = cursors_.rbegin(); cursor != cursors_.rend(); ++cursor) {
-    if (const auto found = cursor->locals.find(name); found != cursor->locals.end()) return &found->second;
-  }
-  const auto found = globals_.find(name);
-  return found == globals_.end() ? nullptr : &found->second;
-}
-
-void PovLanguage::declare(const std::string& name, PovValue value, bool local) {
-  (local ? here().locals : globals_).insert_or_assign(name, std::move(value));
-}
-
-// Obeys the directive that is next. Called with nothing but the raw token known.
-void PovLanguage::obey() {
+// Obeys the directive that is next.
+void PovInterpreter::obey() {
   const Deeper deeper(this);
   const std::string name(raw().text);
   const std::string file = here().file->name;
@@ -151,12 +48,12 @@ void PovLanguage::obey() {
   if (name == "break") return obey_break();
   if (name == "include") return obey_include();
   if (name == "macro") return obey_macro();
-  if (name == "default") return default_block();
+  if (name == "default") return statements_->default_block();
   if (name == "version") {
     if (take_if("unofficial")) take();
     numbers();
     if (next_is_plainly(";")) take();
-  } else if (name == "case" || name == "range") {  // reached from the case before: goes on
+  } else if (name == "case" || name == "range") {  // the case before it was taken and has no #break
     expect("(");
     while (!take_if(")")) take();
   } else if (name == "else" || name == "elseif") {  // the branch before it was taken
@@ -176,7 +73,7 @@ void PovLanguage::obey() {
   }
 }
 
-void PovLanguage::obey_declare(bool local) {
+void PovInterpreter::obey_declare(bool local) {
   if (raw().kind == PovKind::kWord && raw().text == "deprecated") {  // deprecated [once] "why" NAME
     ++here().next;
     take_if("once");
@@ -188,21 +85,12 @@ void PovLanguage::obey_declare(bool local) {
   if (next_is("[")) return declare_element(name);
   expect("=");
   PovValue declared = value();
-  // Names stay with materials and parts.
-  if (auto* texture = std::get_if<PovTexture>(&declared)) {
-    texture->name = name;
-  } else if (auto* pigment = std::get_if<PovPigment>(&declared)) {
-    pigment->name = name;
-  } else if (auto* light = std::get_if<PovLight>(&declared)) {
-    light->name = name;
-  } else if (auto* camera = std::get_if<PovCamera>(&declared)) {
-    camera->name = name;
-  }
+  if (auto* thing = std::get_if<std::any>(&declared)) statements_->name_declared(name, thing);
   declare(name, std::move(declared), local);
   if (next_is_plainly(";")) take();
 }
 
-void PovLanguage::declare_element(const std::string& name) {
+void PovInterpreter::declare_element(const std::string& name) {
   const PovValue* known = find(name);
   if (!known || !std::holds_alternative<std::shared_ptr<PovArray>>(*known)) fail(name + " is not an array");
   const auto array = std::get<std::shared_ptr<PovArray>>(*known);
@@ -212,7 +100,7 @@ void PovLanguage::declare_element(const std::string& name) {
   if (next_is_plainly(";")) take();
 }
 
-void PovLanguage::push(Block::Kind kind, size_t start) {
+void PovInterpreter::push(Block::Kind kind, size_t start) {
   Block block;
   block.kind = kind;
   block.start = start;
@@ -220,8 +108,9 @@ void PovLanguage::push(Block::Kind kind, size_t start) {
   here().blocks.push_back(block);
 }
 
-// Over raw tokens, past the #else, #elseif, #case, #range or #end of the block we are in: which it was.
-std::string PovLanguage::skip_branch() {
+// Skips tokens up to and including the next #else, #elseif, #case, #range or #end of the current block.
+// Returns which it was.
+std::string PovInterpreter::skip_branch() {
   for (int depth = 0;; ++here().next) {
     const PovToken& token = raw();
     if (token.kind == PovKind::kEnd) fail("found the end of the file, expected #end");
@@ -237,7 +126,7 @@ std::string PovLanguage::skip_branch() {
   }
 }
 
-void PovLanguage::obey_if(bool known) {
+void PovInterpreter::obey_if(bool known) {
   bool taken = known || truth();
   while (!taken) {
     const std::string branch = skip_branch();
@@ -247,7 +136,7 @@ void PovLanguage::obey_if(bool known) {
   push(Block::kIf);
 }
 
-void PovLanguage::obey_ifdef(bool wanted) {
+void PovInterpreter::obey_ifdef(bool wanted) {
   if (!(raw().kind == PovKind::kSymbol && raw().text == "(")) fail_expected("(");
   ++here().next;
   bool defined = raw().kind == PovKind::kWord && find(raw().text);
@@ -266,18 +155,18 @@ void PovLanguage::obey_ifdef(bool wanted) {
   }
 }
 
-void PovLanguage::count_step() {
+void PovInterpreter::count_step() {
   if (++steps_ > kMaxSteps) fail("the file takes more than " + std::to_string(kMaxSteps) + " turns of loops");
 }
 
-void PovLanguage::obey_while() {
+void PovInterpreter::obey_while() {
   const size_t start = here().next;
   count_step();
   if (truth()) return push(Block::kWhile, start);
   while (skip_branch() != "end") continue;
 }
 
-void PovLanguage::obey_for() {
+void PovInterpreter::obey_for() {
   expect("(");
   Block loop;
   loop.kind = Block::kFor;
@@ -299,16 +188,14 @@ void PovLanguage::obey_for() {
   loop.start = here().next;
   loop.line = raw().line;
   here().blocks.push_back(loop);
-  PovNumbers value;
-  value[0] = loop.value;
-  declare(loop.variable, value, true);
+  declare(loop.variable, number_of(loop.value), true);
 }
 
-void PovLanguage::obey_switch() {
+void PovInterpreter::obey_switch() {
   expect("(");
   const double wanted = number();
   expect(")");
-  // Behind `(X)` comes the first #case; branches of other blocks cannot be between.
+  // The first #case follows `(X)`, so the next branch is one of this block.
   for (std::string branch = skip_branch(); branch != "end"; branch = skip_branch()) {
     bool taken = branch == "else";
     if (branch == "case" || branch == "range") {
@@ -322,7 +209,7 @@ void PovLanguage::obey_switch() {
   }
 }
 
-void PovLanguage::obey_break() {
+void PovInterpreter::obey_break() {
   std::vector<Block>& blocks = here().blocks;
   while (!blocks.empty()) {
     while (skip_branch() != "end") continue;
@@ -337,7 +224,7 @@ void PovLanguage::obey_break() {
   fail("found #break outside a block");
 }
 
-void PovLanguage::obey_end() {
+void PovInterpreter::obey_end() {
   std::vector<Block>& blocks = here().blocks;
   if (blocks.empty()) fail("found #end outside a block");
   Block& block = blocks.back();
@@ -350,20 +237,18 @@ void PovLanguage::obey_end() {
   } else if (block.kind == Block::kFor) {
     count_step();
     block.value += block.step;
-    // As POV-Ray does, with room for rounding.
+    // With room for rounding, as in POV-Ray.
     const bool runs = block.step > 0 ? block.value < block.last + 1e-10 * std::max(1.0, std::abs(block.last))
                                      : block.value > block.last - 1e-10 * std::max(1.0, std::abs(block.last));
     if (!runs) return blocks.pop_back();
     here().next = block.start;
-    PovNumbers value;
-    value[0] = block.value;
-    declare(block.variable, value, true);
+    declare(block.variable, number_of(block.value), true);
   } else {
     blocks.pop_back();
   }
 }
 
-std::string PovLanguage::found_include(const std::string& name) const {
+std::string PovInterpreter::found_include(const std::string& name) const {
   const std::array<std::string, 5> candidates{
       path_beside(cursors_.back().file->path, name), path_beside(cursors_.front().file->path, name), name,
       "/usr/share/povray-3.7/include/" + name, "/usr/local/share/povray-3.7/include/" + name};
@@ -372,18 +257,17 @@ std::string PovLanguage::found_include(const std::string& name) const {
   return "";
 }
 
-void PovLanguage::obey_include() {
+void PovInterpreter::obey_include() {
   const PovPlace from = place();
   const std::string name = string();
   const std::string path = found_include(name);
   if (!path.empty()) return open(path);
   const std::string what = "included file " + in_quotes(name, name.size()) + " is missing";
-  if (!options_.skip_missing) fail_at(from.file, from.line, what);
-  report_->add(what + ": left out", from.file, from.line);
+  refuse_missing(what, from.file, from.line, options_, report_);
 }
 
-// Only notes where the body is: its tokens are read at each call.
-void PovLanguage::obey_macro() {
+// Only remembers where the body begins. Its tokens are read at each call.
+void PovInterpreter::obey_macro() {
   PovMacro macro;
   macro.file = here().file;
   const auto take_raw = [this](PovKind kind, std::string_view text, const std::string& expected) {
@@ -402,8 +286,8 @@ void PovLanguage::obey_macro() {
   declare(name, std::move(macro), false);
 }
 
-// At the macro's name.
-void PovLanguage::call(PovMacro macro) {
+// Called at the macro's name.
+void PovInterpreter::call(PovMacro macro) {
   const Deeper deeper(this);
   count_step();
   if (cursors_.size() >= kMaxNesting) fail("includes and macros are nested too deep");

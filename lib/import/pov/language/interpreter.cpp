@@ -1,0 +1,119 @@
+// The sequence of tokens, across includes and macros, and the names that are declared.
+#include "import/pov/language/interpreter.h"
+
+#include "base/text.h"
+
+namespace strad {
+
+void refuse(const PovProblem& problem, const SkipOptions& options, ImportReport* report) {
+  if (!options.skip_unknown)
+    fail_at(problem.place.file, problem.place.line, problem.what + " is not supported");
+  report->add(problem.what + " left out", problem.place.file, problem.place.line);
+}
+
+void PovInterpreter::open(const std::string& path) {
+  if (cursors_.size() >= kMaxNesting) fail("includes and macros are nested too deep");
+  std::shared_ptr<const PovFile>& file = files_[path];
+  if (!file) file = read_pov_file(path);
+  cursors_.emplace_back().file = file;
+}
+
+const PovToken& PovInterpreter::peek() {
+  while (true) {
+    Cursor& cursor = here();
+    const PovToken& token = raw();
+    if (cursor.plain == cursor.next) return token;
+    if (token.kind == PovKind::kDirective) {
+      obey();
+    } else if (token.kind == PovKind::kEnd) {
+      if (!cursor.blocks.empty())
+        fail_at(cursor.file->name, cursor.blocks.back().line, "the block is not closed, expected #end");
+      if (cursors_.size() == 1) return token;
+      cursors_.pop_back();
+    } else {
+      const PovValue* known = token.kind == PovKind::kWord ? find(token.text) : nullptr;
+      if (known && std::holds_alternative<PovMacro>(*known)) {
+        call(std::get<PovMacro>(*known));
+        continue;
+      }
+      cursor.plain = cursor.next;
+      return token;
+    }
+  }
+}
+
+PovToken PovInterpreter::take() {
+  const PovToken token = peek();
+  if (token.kind != PovKind::kEnd) ++here().next;
+  return token;
+}
+
+bool PovInterpreter::next_is(std::string_view text) {
+  const PovToken& token = peek();
+  return (token.kind == PovKind::kSymbol || token.kind == PovKind::kWord) && token.text == text;
+}
+
+bool PovInterpreter::next_is_plainly(std::string_view text) {
+  return (raw().kind == PovKind::kWord || raw().kind == PovKind::kSymbol) && raw().text == text;
+}
+
+bool PovInterpreter::take_if(std::string_view text) {
+  if (!next_is(text)) return false;
+  ++here().next;
+  return true;
+}
+
+void PovInterpreter::expect(std::string_view symbol) {
+  if (!take_if(symbol)) fail_expected(std::string(symbol));
+}
+
+void PovInterpreter::skip_block() {
+  const PovPlace start = place();
+  expect("{");
+  for (int depth = 1; depth > 0;) {
+    const PovToken token = take();
+    if (token.kind == PovKind::kEnd) fail_at(start.file, start.line, "the block is not closed, expected }");
+    if (token.kind == PovKind::kSymbol && token.text == "{") ++depth;
+    if (token.kind == PovKind::kSymbol && token.text == "}") --depth;
+  }
+}
+
+void PovInterpreter::skip_item() {
+  take();
+  while (true) {
+    const PovToken& token = peek();
+    if (next_is("{")) return skip_block();
+    if (next_is("}") || token.kind == PovKind::kEnd) return;
+    if (token.kind == PovKind::kWord && !expression_is_next()) return;
+    take();
+  }
+}
+
+PovPlace PovInterpreter::place_of(const PovToken& token) const {
+  return {cursors_.back().file->name, token.line};
+}
+PovPlace PovInterpreter::place() { return place_of(peek()); }
+
+void PovInterpreter::fail(const std::string& what) { fail_at(here().file->name, raw().line, what); }
+
+void PovInterpreter::fail_expected(const std::string& expected) {
+  const PovToken& token = raw();
+  const std::string found = token.kind == PovKind::kEnd         ? "the end of the file"
+                            : token.kind == PovKind::kDirective ? "#" + std::string(token.text)
+                                                                : in_quotes(token.text);
+  fail("found " + found + ", expected " + expected);
+}
+
+const PovValue* PovInterpreter::find(std::string_view name) const {
+  for (auto cursor = cursors_.rbegin(); cursor != cursors_.rend(); ++cursor) {
+    if (const auto found = cursor->locals.find(name); found != cursor->locals.end()) return &found->second;
+  }
+  const auto found = globals_.find(name);
+  return found == globals_.end() ? nullptr : &found->second;
+}
+
+void PovInterpreter::declare(const std::string& name, PovValue value, bool local) {
+  (local ? here().locals : globals_).insert_or_assign(name, std::move(value));
+}
+
+}  // namespace strad

@@ -1,0 +1,167 @@
+// Interprets POV-Ray's scene description language: tokens, directives, names, expressions. Knows no scenes.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/rgb.h"
+#include "base/vec.h"
+#include "import/pov/language/statements.h"
+#include "import/pov/language/values.h"
+#include "import/report.h"
+
+namespace strad {
+
+class PovInterpreter {
+ public:
+  // The arguments must outlive the interpreter.
+  PovInterpreter(const SkipOptions& options, ImportReport* report, PovStatements* statements)
+      : options_(options), report_(report), statements_(statements) {}
+  PovInterpreter(const PovInterpreter&) = delete;
+  PovInterpreter& operator=(const PovInterpreter&) = delete;
+
+  // Tokens. Directives and macros before the next token are obeyed first.
+  void open(const std::string& path);
+  const PovToken& peek();
+  PovToken take();
+  bool next_is(std::string_view symbol_or_word);
+  bool next_is_plainly(std::string_view symbol_or_word);  // without obeying directives: false if one is next
+  bool take_if(std::string_view symbol_or_word);
+  void expect(std::string_view symbol);
+  void skip_comma() { take_if(","); }
+  void skip_block();                                // from { to its }
+  void skip_item();                                 // a word and the expressions or the block after it
+  PovPlace place();                                 // of the token that is next
+  [[noreturn]] void fail(const std::string& what);  // at the token that is next
+  [[noreturn]] void fail_expected(const std::string& expected);
+
+  // Expressions.
+  bool expression_is_next();
+  PovNumbers numbers();
+  double number();
+  int integer();
+  Vec3 vector();
+  Vec2 vector2();
+  Rgb colour();  // refuses transparency
+  std::string string();
+  // Takes the next token if it is the name of a declared thing of type T, and returns the thing. Otherwise
+  // takes nothing and returns nothing.
+  template <typename T>
+  std::optional<T> named(std::string* name = nullptr) {
+    if (peek().kind != PovKind::kWord) return {};
+    const std::string word(peek().text);
+    const PovValue* sample = sample_of(find(word));
+    if (!sample || !thing_in<T>(*sample)) return {};
+    if (name) *name = word;
+    const PovValue found = take_named();
+    const T* thing = thing_in<T>(found);
+    if (!thing) fail_expected("an element of the array " + word);
+    return *thing;
+  }
+
+  // Counts how deep expressions, blocks and directives are nested, and refuses what would overflow the stack.
+  class Deeper {
+   public:
+    explicit Deeper(PovInterpreter* interpreter) : interpreter_(interpreter) {
+      if (++interpreter->depth_ > kMaxDepth) interpreter->fail("expressions or blocks are nested too deep");
+    }
+    ~Deeper() { --interpreter_->depth_; }
+    Deeper(const Deeper&) = delete;
+    Deeper& operator=(const Deeper&) = delete;
+
+   private:
+    PovInterpreter* interpreter_;
+  };
+
+ private:
+  static constexpr size_t kNowhere = ~size_t{0};
+  static constexpr int kMaxDepth = 250;
+  static constexpr size_t kMaxNesting = 100;  // of includes and macros
+  struct Block {
+    enum Kind { kIf, kWhile, kFor, kSwitch, kMacro } kind;
+    size_t start = 0;  // the first token of a loop's body or condition
+    std::string variable;
+    double value = 0, last = 0, step = 1;
+    uint32_t line = 0;
+  };
+  struct Cursor {
+    std::shared_ptr<const PovFile> file;
+    size_t next = 0;
+    std::vector<Block> blocks;
+    std::map<std::string, PovValue, std::less<>> locals;
+    size_t plain = kNowhere;  // the index of a token that is known to be no directive and no macro
+  };
+
+  Cursor& here() { return cursors_.back(); }
+  const PovToken& raw() { return here().file->tokens[here().next]; }
+  bool operator_is_next(std::string_view symbol);
+  PovPlace place_of(const PovToken& token) const;
+  const PovValue* find(std::string_view name) const;
+  void declare(const std::string& name, PovValue value, bool local);
+
+  // Directives, in directives.cpp.
+  void obey();
+  void obey_declare(bool local);
+  void obey_if(bool known);
+  void obey_ifdef(bool wanted);
+  void obey_while();
+  void obey_for();
+  void obey_switch();
+  void obey_break();
+  void obey_end();
+  void obey_include();
+  void obey_macro();
+  std::string skip_branch();
+  void push(Block::Kind kind, size_t start = 0);
+  void call(PovMacro macro);
+  void count_step();
+  void declare_element(const std::string& name);
+  std::string found_include(const std::string& name) const;
+
+  // Expressions, in expressions.cpp.
+  PovValue value();  // anything that can be declared
+  bool truth();      // whether the number in parentheses that follows is not 0
+  // The first element of an array, or of the arrays in it; anything but an array as it is.
+  static const PovValue* sample_of(const PovValue* value);
+  PovValue take_named();  // the value of the next name, with its indices if it is an array
+  size_t indices_into(const PovArray& array, const std::string& name);
+  PovValue array_value();
+  void fill_array(PovArray* array, size_t dimension, size_t* next);
+
+  std::optional<PovNumbers> constant(std::string_view word);
+  PovNumbers logical();
+  PovNumbers comparison();
+  PovNumbers sum();
+  PovNumbers product();
+  PovNumbers unary();
+  PovNumbers postfix();
+  PovNumbers primary();
+  PovNumbers parenthesised();
+  PovNumbers vector_literal();
+  PovNumbers colour_numbers();
+  PovNumbers named_numbers();
+  // Functions, in functions.cpp.
+  std::vector<PovNumbers> arguments(size_t least, size_t most);
+  PovNumbers function(const std::string& name);
+  PovNumbers function_of_other_things(const std::string& name);
+  bool is_function(std::string_view name) const;
+  bool is_string_function(std::string_view name) const;
+  std::string string_function(const std::string& name);
+  double random(size_t stream);
+
+  const SkipOptions& options_;
+  ImportReport* report_;
+  PovStatements* statements_;
+  std::map<std::string, std::shared_ptr<const PovFile>>
+      files_;  // by path; kept because tokens point into their texts
+  std::vector<Cursor> cursors_;
+  std::map<std::string, PovValue, std::less<>> globals_;
+  std::vector<uint32_t> random_states_;
+  size_t steps_ = 0;  // turns of loops and calls of macros
+  int depth_ = 0;
+};
+
+}  // namespace strad

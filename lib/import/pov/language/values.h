@@ -1,0 +1,82 @@
+// Values of POV-Ray's language: numbers, strings, arrays, macros, and those that only the interpreter's user
+// knows.
+#pragma once
+
+#include <any>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "import/pov/language/tokens.h"
+#include "import/report.h"
+
+namespace strad {
+
+// A place in a file.
+struct PovPlace {
+  std::string file;
+  uint32_t line = 0;
+};
+// Something that cannot be imported. It is refused only where it is used.
+struct PovProblem {
+  std::string what;
+  PovPlace place;
+};
+
+// Throws BadInput, or with options.skip_unknown reports that it is left out.
+void refuse(const PovProblem& problem, const SkipOptions& options, ImportReport* report);
+
+// A number, a vector or a colour (red, green, blue, filter, transmit).
+struct PovNumbers {
+  int size = 1;  // 1 to 5
+  std::array<double, 5> parts{};
+  double operator[](int i) const { return parts[static_cast<size_t>(i)]; }
+  double& operator[](int i) { return parts[static_cast<size_t>(i)]; }
+};
+
+inline PovNumbers number_of(double value) {
+  PovNumbers numbers;
+  numbers[0] = value;
+  return numbers;
+}
+
+struct PovMacro {
+  std::shared_ptr<const PovFile> file;
+  size_t body = 0;  // first token
+  std::vector<std::string> parameters;
+};
+
+// Declared, but of no use here: an interior, a normal, a function.
+struct PovIgnored {};
+
+// std::any holds what PovStatements::describe returns.
+struct PovArray;
+using PovValue =
+    std::variant<PovIgnored, PovNumbers, std::string, std::shared_ptr<PovArray>, PovMacro, std::any>;
+
+struct PovArray {
+  std::vector<size_t> sizes;                   // of each dimension
+  std::vector<std::optional<PovValue>> items;  // the last index runs fastest
+};
+
+template <typename T, typename... Kinds>
+constexpr bool is_kind_of(const std::variant<Kinds...>*) {
+  return (std::is_same_v<T, Kinds> || ...);
+}
+
+// The value as a T, or null if it is of another type.
+template <typename T>
+const T* thing_in(const PovValue& value) {
+  if constexpr (is_kind_of<T>(static_cast<PovValue*>(nullptr))) {
+    return std::get_if<T>(&value);
+  } else {
+    return std::any_cast<T>(std::get_if<std::any>(&value));
+  }
+}
+
+}  // namespace strad

@@ -1,0 +1,35 @@
+#include "import/report.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace strad {
+
+void ImportReport::add(const std::string& what, const std::string& file, uint32_t line) {
+  for (Entry& entry : entries_) {
+    if (entry.what == what) {
+      ++entry.count;
+      if (entry.file == file) entry.line = std::min(entry.line, line);
+      return;
+    }
+  }
+  entries_.push_back({what, file, line, 1});
+}
+
+std::vector<std::string> ImportReport::lines() const {
+  std::vector<std::string> lines;
+  for (const Entry& entry : entries_) {
+    const std::string count = entry.count > 1 ? " (" + std::to_string(entry.count) + " in all)" : "";
+    lines.push_back(entry.file + ":" + std::to_string(entry.line) + ": " + entry.what + count);
+  }
+  return lines;
+}
+
+void refuse_missing(const std::string& what, const std::string& file, uint32_t line,
+                    const SkipOptions& options, ImportReport* report) {
+  if (!options.skip_missing) fail_at(file, line, what);
+  report->add(what + ": left out", file, line);
+}
+
+}  // namespace strad

@@ -1,0 +1,115 @@
+// The POV-Ray interpreter with statements of its own, without scenes: what it asks for, and what names give.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "base/error.h"
+#include "import/pov/language/interpreter.h"
+
+namespace strad {
+namespace {
+
+struct Coin {
+  std::string name;
+  double value = 0;
+};
+
+// A language of coins: `coin { VALUE }`.
+class Coins : public PovStatements {
+ public:
+  explicit Coins(const std::string& path) : in(options, &report, this) { in.open(path); }
+
+  std::any describe(std::string_view word) override {
+    if (word != "coin") return {};
+    in.take();
+    in.expect("{");
+    const Coin coin{"", in.number()};
+    in.expect("}");
+    return coin;
+  }
+  void name_declared(const std::string& name, std::any* value) override {
+    std::any_cast<Coin&>(*value).name = name;
+  }
+  void default_block() override {
+    in.skip_block();
+    ++default_blocks;
+  }
+
+  SkipOptions options;
+  ImportReport report;
+  PovInterpreter in;
+  int default_blocks = 0;
+};
+
+class ImportPovLanguage : public testing::Test {
+ protected:
+  ImportPovLanguage()
+      : path_(testing::TempDir() + "/" + testing::UnitTest::GetInstance()->current_test_info()->name()) {}
+  ~ImportPovLanguage() override { std::filesystem::remove(path_); }
+
+  std::unique_ptr<Coins> opened(const std::string& text) {
+    std::ofstream(path_, std::ios::binary) << text;
+    return std::make_unique<Coins>(path_);
+  }
+
+  const std::string path_;
+};
+
+TEST_F(ImportPovLanguage, ADeclaredThingComesBackWithItsName) {
+  const auto coins = opened("#declare Penny = coin { 1/100 }; #declare Copper = Penny; Copper Penny");
+  std::string word;
+  const auto copper = coins->in.named<Coin>(&word);
+  ASSERT_TRUE(copper);
+  EXPECT_EQ(word, "Copper");
+  EXPECT_EQ(copper->name, "Copper");
+  EXPECT_EQ(copper->value, 0.01);
+  EXPECT_EQ(coins->in.named<Coin>()->name, "Penny");
+  EXPECT_EQ(coins->in.peek().kind, PovKind::kEnd);
+}
+
+TEST_F(ImportPovLanguage, NothingIsTakenWhereTheNameStandsForSomethingElse) {
+  const auto coins = opened("#declare A = 5; #declare B = \"five\"; A B C");
+  EXPECT_FALSE(coins->in.named<Coin>());
+  EXPECT_EQ(coins->in.number(), 5);
+  EXPECT_FALSE(coins->in.named<Coin>());
+  EXPECT_EQ(coins->in.named<std::string>(), "five");
+  EXPECT_FALSE(coins->in.named<Coin>());
+  EXPECT_TRUE(coins->in.next_is("C"));
+}
+
+TEST_F(ImportPovLanguage, ArraysAndMacrosCarryThings) {
+  const auto coins = opened(R"(
+    #declare Purse = array[2] { coin { 2 }, coin { 3 } };
+    #macro Twice(C, N) C N #end
+    Purse[1] Twice(Purse[0], 7))");
+  EXPECT_EQ(coins->in.named<Coin>()->value, 3);
+  EXPECT_EQ(coins->in.named<Coin>()->value, 2);
+  EXPECT_EQ(coins->in.number(), 7);
+}
+
+TEST_F(ImportPovLanguage, AnArrayOfManyKindsIsReadAsWhatItsFirstElementIs) {
+  const auto coins = opened("#declare Purse = array[2] { coin { 2 }, 3 }; Purse[0] Purse[1]");
+  EXPECT_EQ(coins->in.named<Coin>()->value, 2);
+  try {
+    coins->in.named<Coin>();
+    FAIL() << "a number was taken for a coin";
+  } catch (const BadInput& error) {
+    EXPECT_NE(std::string(error.what()).find("expected an element of the array Purse"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(ImportPovLanguage, DefaultIsHandedOnEachTimeItIsObeyed) {
+  const auto coins = opened("#for (I, 1, 3) #default { coin { I } } #end");
+  EXPECT_EQ(coins->in.peek().kind, PovKind::kEnd);
+  EXPECT_EQ(coins->default_blocks, 3);
+}
+
+TEST_F(ImportPovLanguage, WhatNobodyKnowsIsSkippedWhereDeclaredAndKnownToBe) {
+  const auto coins = opened("#declare N = normal { bumps { 1 } }; #ifdef (N) 1 #else 2 #end");
+  EXPECT_EQ(coins->in.number(), 1);
+}
+
+}  // namespace
+}  // namespace strad
