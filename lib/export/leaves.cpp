@@ -12,10 +12,6 @@ constexpr int kDates = 8;  // at which the mean irradiance and the shape of quad
 constexpr float kSurplus = 0.01f;  // a vertex that differs less from the mean of its parents is left out
 constexpr float kTwist = 0.01f;    // tolerated error in the middle of a quad
 
-uint64_t edge_key(uint32_t a, uint32_t b) {
-  return (static_cast<uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
-}
-
 float largest(Rgb a) { return max_channel({std::abs(a.r), std::abs(a.g), std::abs(a.b)}); }
 
 // By how much each vertex ever differs from the mean of its parents.

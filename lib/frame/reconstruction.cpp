@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace strad {
-namespace {
-
-uint64_t edge_key(uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
-
-}  // namespace
-
 Reconstruction::Reconstruction(const Mesh& mesh) : mesh_(mesh) {
   middles_.reserve(mesh.vertices.size());
   for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {

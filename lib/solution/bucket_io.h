@@ -16,7 +16,7 @@ struct Bucket {
   std::vector<Rgb> coefficients;
 };
 
-// Light is rounded to multiples of 2^exponent W/m^2, as light_code.h tells.
+// Light is rounded to multiples of 2^exponent W/m^2, see light_code.h.
 Bytes encode_bucket(const Bucket& bucket, int order, int exponent);
 // Throws BadInput. REQUIRES: `slab` came from decode_slab.
 Bucket decode_bucket(const Slab& slab, ByteSpan content, const std::string& place);

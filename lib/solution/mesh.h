@@ -2,6 +2,7 @@
 // time.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -12,12 +13,17 @@
 namespace strad {
 
 // Vertices carry hierarchical surpluses: value = mean of the parents' values + the vertex's own function.
-// Parents come before their children. 0 parents: a corner of a polygon; 2: middle of an edge; 4: middle of a
-// quad.
+// Parents come before their children.
 struct MeshVertex {
   uint32_t parents[4] = {kNone, kNone, kNone, kNone};
   Vec3 position;  // rest, m
+
+  // 0: a corner of a polygon; 2: the middle of an edge; 4: the middle of a quad.
+  int parent_count() const { return parents[0] == kNone ? 0 : parents[2] == kNone ? 2 : 4; }
 };
+
+// The key of the edge between two vertices in tables of edges, whichever way it runs.
+inline uint64_t edge_key(uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
 
 // A quad (vertices counter-clockwise seen from the front of its polygon) or a triangle (vertices[3] ==
 // kNone). Children: child c holds corner c; the fourth child of a triangle is the middle one. With m01 the

@@ -78,7 +78,7 @@ class Grower {
 
   uint32_t middle(uint32_t a, uint32_t b, uint32_t child, int corner) {
     const auto [low, high] = std::minmax(a, b);
-    const uint64_t edge = uint64_t{low} << 32 | high;
+    const uint64_t edge = edge_key(low, high);
     const auto known = middle_of_edge_.find(edge);
     const uint32_t vertex = source_(child, corner, known == middle_of_edge_.end() ? next_ : known->second);
     middle_of_edge_.try_emplace(edge, vertex);

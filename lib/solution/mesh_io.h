@@ -7,7 +7,7 @@
 namespace strad {
 
 // REQUIRES: the mesh passed validate(), every element is the root of a face or a child, and splits, parents
-// and positions are those that mesh.h tells (parents of a middle in ascending order). Throws BadInput for
+// and positions are those that mesh.h describes (parents of a middle in ascending order). Throws BadInput for
 // another mesh.
 void put_mesh(Bytes* to, const Scene& scene, const Mesh& mesh);
 // Throws BadInput; what it returns passes validate().

@@ -22,7 +22,7 @@ Chunk encode_work(const SlabWork& work);
 // Throws BadInput.
 SlabWork decode_work(ByteSpan content, const std::string& place);
 
-// Takes out what tells of slabs that are no more.
+// Removes the entries of slabs that no longer exist.
 void drop_work(std::vector<Chunk>* chunks);
 
 }  // namespace strad

@@ -1,4 +1,4 @@
-// Functions of time, one RGB function a vertex: sparse piecewise polynomials on dyadic intervals.
+// Functions of time, one RGB function per vertex: sparse piecewise polynomials on dyadic intervals.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +49,7 @@ void add_values(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t
 // Appends a row from values at all time samples (sample_count of them): merges dyadic halves bottom-up
 // while the root-mean-square error of the merged polynomial over its interval stays below `tolerance`
 // (luminance-like: the largest channel), drops pieces below it, so the row's error is of the order of
-// `tolerance`. `active`: one flag a cell; inactive cells hold zero. Empty: all are active.
+// `tolerance`. `active`: one flag per cell; inactive cells hold zero. Empty: all are active.
 void append_row(const TimeGrid& grid, const std::vector<Rgb>& node_values, const std::vector<bool>& active,
                 float tolerance, Field* field);
 

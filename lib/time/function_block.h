@@ -1,4 +1,4 @@
-// Functions of time of many lights in one block, which can be filled in any order.
+// Functions of time of many leaves in one block, which can be filled in any order.
 #pragma once
 
 #include <bit>
@@ -11,37 +11,37 @@
 
 namespace strad {
 
-// Values are kept as the upper halves of floats, to 3 significant digits; what many of them add up to is far
-// better than that.
+// 6 bytes per time sample: each channel is the upper half of a float, rounded to nearest, which keeps 3
+// significant digits of any size. The error of a sum of many values is far smaller.
 class FunctionBlock {
  public:
   FunctionBlock() = default;
-  // Functions of `lights` (ascending, below `light_count`) at `time samples` time samples, zero.
-  FunctionBlock(size_t leaf_count, const std::vector<uint32_t>& lights, size_t time_samples)
-      : lights_(lights),
-        dates_(time_samples),
+  // Zero functions for `leaves` (ascending, below `leaf_count`), `sample_count` time samples each.
+  FunctionBlock(size_t leaf_count, const std::vector<uint32_t>& leaves, size_t sample_count)
+      : leaves_(leaves),
+        sample_count_(sample_count),
         row_(leaf_count, kNone),
-        bits_(3 * time_samples * lights.size()) {
-    for (size_t i = 0; i < lights.size(); ++i) row_[lights[i]] = static_cast<uint32_t>(i);
+        bits_(3 * sample_count * leaves.size()) {
+    for (size_t i = 0; i < leaves.size(); ++i) row_[leaves[i]] = static_cast<uint32_t>(i);
   }
 
-  const std::vector<uint32_t>& rows() const { return lights_; }
-  size_t sample_count() const { return dates_; }
-  bool has(uint32_t light) const { return row_[light] != kNone; }
+  const std::vector<uint32_t>& rows() const { return leaves_; }
+  size_t sample_count() const { return sample_count_; }
+  bool has(uint32_t leaf) const { return row_[leaf] != kNone; }
 
-  // REQUIRES: has(light).
-  Rgb get(uint32_t light, size_t time_sample) const {
-    const uint16_t* b = bits_.data() + 3 * (row_[light] * dates_ + time_sample);
+  // REQUIRES: has(leaf).
+  Rgb get(uint32_t leaf, size_t time_sample) const {
+    const uint16_t* b = bits_.data() + 3 * (row_[leaf] * sample_count_ + time_sample);
     return {decoded(b[0]), decoded(b[1]), decoded(b[2])};
   }
-  void set(uint32_t light, size_t time_sample, Rgb value) {
-    uint16_t* b = bits_.data() + 3 * (row_[light] * dates_ + time_sample);
+  void set(uint32_t leaf, size_t time_sample, Rgb value) {
+    uint16_t* b = bits_.data() + 3 * (row_[leaf] * sample_count_ + time_sample);
     for (int c = 0; c < 3; ++c)
       b[c] = static_cast<uint16_t>((std::bit_cast<uint32_t>(value[c]) + 0x8000u) >> 16);
   }
-  // sum[i] += weights[i] * get(light, first + i)
-  void add(uint32_t light, size_t first, size_t count, const float* weights, Rgb* sum) const {
-    const uint16_t* b = bits_.data() + 3 * (row_[light] * dates_ + first);
+  // sum[i] += weights[i] * get(leaf, first + i)
+  void add(uint32_t leaf, size_t first, size_t count, const float* weights, Rgb* sum) const {
+    const uint16_t* b = bits_.data() + 3 * (row_[leaf] * sample_count_ + first);
     for (size_t i = 0; i < count; ++i, b += 3)
       sum[i] += weights[i] * Rgb{decoded(b[0]), decoded(b[1]), decoded(b[2])};
   }
@@ -49,9 +49,9 @@ class FunctionBlock {
  private:
   static float decoded(uint16_t bits) { return std::bit_cast<float>(static_cast<uint32_t>(bits) << 16); }
 
-  std::vector<uint32_t> lights_;
-  size_t dates_ = 0;
-  std::vector<uint32_t> row_;  // [light]
+  std::vector<uint32_t> leaves_;
+  size_t sample_count_ = 0;
+  std::vector<uint32_t> row_;  // [leaf]
   std::vector<uint16_t> bits_;
 };
 

@@ -39,8 +39,8 @@ class FineFunction {
   std::vector<uint16_t> codes_;
 };
 
-// The same in 4 bytes a time sample: 11 bits of red and green, 10 of blue. For functions whose values are all
-// of one order, as indirect light is.
+// The same in 4 bytes per time sample: 11 bits of red and green, 10 of blue. For functions whose values are
+// all of one order, as indirect light is.
 class CoarseFunction {
  public:
   CoarseFunction() = default;

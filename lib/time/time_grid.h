@@ -35,8 +35,8 @@ struct Interval {
   bool operator==(const Interval&) const = default;
 };
 
-// Spans between `steps` (ascending, strictly inside), with about `samples` nodes in all, at least one cell a
-// span.
+// Spans between `steps` (ascending, strictly inside), with about `samples` nodes in all, at least one cell
+// per span.
 TimeGrid make_time_grid(double start, double end, const std::vector<double>& steps, int order, int samples);
 
 // One instant: a single cell with one node at `time`.

@@ -1,7 +1,7 @@
 // Direct light at one point over many time samples.
 //
-// A point at rest looks at lamps at rest in the same way at all time samples but while a moving body may pass
-// between: their visibility is found once, and again only then.
+// Between a point at rest and an emitter at rest, visibility changes only while a moving body may pass
+// between them. It is found once, and again only for the time samples of such cells.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct RestPoint {
 
 class DirectOverTime {
  public:
-  // Keeps references. `instants`: one a time sample. `samples`: see DirectLight::emitter_samples.
+  // Keeps references. `instants`: one per time sample. `samples`: see DirectLight::emitter_samples.
   DirectOverTime(const Scene& scene, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
                  const std::vector<Instant>& instants, int samples);
 

@@ -59,7 +59,7 @@ void DirectPhase::value(uint32_t vertex, uint32_t cell, Rgb* values) const {
   }
   for (size_t k = 0; k < order; ++k) values[k] = {};
   const MeshVertex& v = builder_.mesh().vertices[vertex];
-  const int count = v.parents[0] == kNone ? 0 : v.parents[2] == kNone ? 2 : 4;
+  const int count = v.parent_count();
   for (int p = 0; p < count; ++p) {
     Rgb of_parent[kMaxOrder];
     value(v.parents[p], cell, of_parent);
@@ -159,7 +159,7 @@ std::vector<uint32_t> DirectPhase::worthwhile_cells(const Work& work) const {
     float largest = 0;
     for (int m = 0; m < count; ++m) {
       const MeshVertex& vertex = mesh.vertices[middles[m]];
-      const int parents = vertex.parents[2] == kNone ? 2 : 4;
+      const int parents = vertex.parent_count();
       Rgb own[kMaxOrder];
       value(middles[m], cell, own);
       for (int p = 0; p < parents; ++p) {
@@ -256,7 +256,7 @@ Field DirectPhase::take_surpluses() {
     SparseFunction& f = functions_[v];
     if (hanging[v]) f = {};  // from now on it is the mean of its parents, for its children too
     const MeshVertex& vertex = mesh.vertices[v];
-    const int parents = vertex.parents[0] == kNone ? 0 : vertex.parents[2] == kNone ? 2 : 4;
+    const int parents = vertex.parent_count();
     std::vector<Rgb> row(grid_.sample_count());
     std::vector<bool> active(grid_.cell_count(), false);
     for (size_t i = 0; i < f.cells.size(); ++i) {

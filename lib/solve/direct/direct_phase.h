@@ -17,7 +17,7 @@
 
 namespace strad {
 
-// Values at the nodes of some cells only: cells ascending, `order` values a cell.
+// Values at the nodes of some cells only: cells ascending, `order` values per cell.
 struct SparseFunction {
   std::vector<uint32_t> cells;
   FineFunction values;
@@ -28,12 +28,12 @@ struct DirectOptions {
   double smallest_element = 0;   // m
   float threshold = 0;  // split while surplus radiance * sqrt(area / total area) exceeds it, W / (sr m^2)
   float tolerance = 0;  // W / m^2: of the functions that are kept
-  int emitter_samples = 16;  // shadow rays an emitting polygon
+  int emitter_samples = 16;  // shadow rays per emitting polygon
 };
 
 class DirectPhase {
  public:
-  // Keeps references. `instants`: one a time sample.
+  // Keeps references. `instants`: one per time sample.
   DirectPhase(const Scene& scene, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
               const std::vector<Instant>& instants, const DirectOptions& options, MeshBuilder* builder);
 
@@ -69,8 +69,8 @@ class DirectPhase {
   MeshBuilder& builder_;
   DirectOverTime light_;
   double total_area_ = 0;
-  std::vector<SparseFunction> functions_;           // a vertex
-  std::vector<std::vector<uint32_t>> split_cells_;  // an element
+  std::vector<SparseFunction> functions_;           // [vertex]
+  std::vector<std::vector<uint32_t>> split_cells_;  // [element]
   Field undivided_rows_;                            // of the vertices of undivided faces
   uint64_t evaluations_ = 0, rays_ = 0;
 };

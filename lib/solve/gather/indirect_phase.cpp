@@ -14,9 +14,7 @@
 namespace strad {
 namespace {
 
-int parent_count(const MeshVertex& vertex) {
-  return vertex.parents[0] == kNone ? 0 : vertex.parents[2] == kNone ? 2 : 4;
-}
+int parent_count(const MeshVertex& vertex) { return vertex.parent_count(); }
 
 template <typename Function>
 float unblocked_of(const Function& function, size_t time_sample) {

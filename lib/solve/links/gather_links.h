@@ -19,7 +19,7 @@ class LinkGather {
   LinkGather(const TimeGrid& grid, const NodeTree& tree, const LinkTable& links,
              const std::vector<Instant>& instants, const std::vector<uint32_t>& time_samples);
 
-  // irradiance[slot] += sum of kernel * radiance[slot]; arrays of 3 * time samples floats a slot.
+  // irradiance[slot] += sum of kernel * radiance[slot]; arrays of 3 * time samples floats per slot.
   void run(const float* radiance, float* irradiance) const;
 
  private:

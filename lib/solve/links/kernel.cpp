@@ -272,8 +272,8 @@ KernelEvaluator::Means KernelEvaluator::sample_clusters(const Node& p, const Nod
   }
   if (!(free > 0)) return means;
   const double visible = std::clamp(means.mean * point_count / free, 0.05, 1.0);
-  // Few samples share the sides of a cluster unevenly: what they would answer to one direction tells by how
-  // much.
+  // A few samples do not cover the lobes of a cluster evenly. The mean response of a complete cover is 1, so
+  // the mean over the samples gives the correction.
   double emitted = 0;
   for (int j = 0; j < part_count; ++j) emitted += parts[j].represented;
   for (const double sampled : {response, emitted})
@@ -293,7 +293,7 @@ KernelEvaluator::Means KernelEvaluator::sample_clusters(const Node& p, const Nod
     const double d = shares[j] / free - (emitted > 0.05 ? parts[j].represented / emitted : 0);
     uneven += part_count * d * d;
   }
-  // Which parts hide where visibility is partial is not known: any may.
+  // Where visibility is partial it is not known which parts are hidden.
   means.emitter_error = means.mean * std::sqrt(uneven + (1 - visible) / visible);
   return means;
 }
@@ -356,8 +356,8 @@ KernelEstimate KernelEvaluator::estimate(uint32_t receiver, uint32_t emitter, In
     e.kernel[k] = static_cast<float>(means.mean);
     worst(means);
   }
-  // Control time samples: both ends and, the longer the interval, the more between; none of them is a Gauss
-  // time sample.
+  // Control instants: both ends of the interval, and more between them the longer it is. None of them is a
+  // Gauss node.
   const int times = interval.log2_cells >= 4 ? 8 : interval.log2_cells >= 2 ? 6 : 4;
   double error2 = 0;
   for (int d = 0; d < times; ++d) {
@@ -372,7 +372,7 @@ KernelEstimate KernelEvaluator::estimate(uint32_t receiver, uint32_t emitter, In
     worst(means);
   }
   e.time_error = static_cast<float>(std::sqrt(error2));
-  // Things that travel together in empty space may well see each other in the same way all along.
+  // If the kernel turns out constant, only relative motion of the ends makes the link dynamic.
   if (e.time_error <= 1e-6f * e.kernel[0] && std::all_of(e.kernel, e.kernel + order, [&](float k) {
         return std::abs(k - e.kernel[0]) <= 1e-6f * e.kernel[0];
       }))

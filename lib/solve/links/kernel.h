@@ -1,5 +1,5 @@
 // The kernel of a link: mean irradiance at the receiver from an emitter of unit radiance, visibility
-// included, at quadrature and control points and time samples. Either end may be a patch or a cluster; rays
+// included, at quadrature and control points and instants. Either end may be a patch or a cluster; rays
 // run from surface point to surface point, so the shadows that clusters cast on themselves are part of it.
 #pragma once
 
@@ -23,9 +23,9 @@ struct KernelEstimate {
   // What an emitter whose radiance differs by 1 (rms) over its parts may add to the irradiance; largest of
   // all time samples.
   float emitter_error = 0;
-  float time_error = 0;  // rms over control time samples of the mean kernel minus the represented one
+  float time_error = 0;  // rms over control instants of the mean kernel minus the represented one
   bool dynamic = false;  // the kernel may change on the interval
-  bool known = false;    // somebody has looked
+  bool known = false;    // the estimate has been made
 };
 
 struct KernelCounts {
@@ -39,7 +39,7 @@ class KernelEvaluator {
   KernelEstimate estimate(uint32_t receiver, uint32_t emitter, Interval interval, KernelCounts* counts) const;
 
   // Do the boxes of two nodes, one of them a cluster, meet at one of the time samples of the interval? True
-  // for a cluster and itself. Their exchange is no matter of one direction.
+  // for a cluster and itself. Then no single direction describes their exchange.
   bool overlap(uint32_t receiver, uint32_t emitter, Interval interval) const;
 
  private:

@@ -1,7 +1,7 @@
 // The spatial hierarchy of the solve: clusters of surfaces, surfaces and their patches, in the frame of one
 // body.
 //
-// It is lazy. It starts with one cluster a body; children appear only where refinement asks for them, one
+// It is lazy. It starts with one cluster per body; children appear only where refinement asks for them, one
 // step of a tight-fitting octree at a time (Christensen et al. 1997), and a surface has a node only once its
 // cluster was split that far.
 #pragma once
@@ -51,7 +51,7 @@ struct Cluster {
 
 class NodeTree {
  public:
-  // Keeps both. With `clusters`: a root cluster a body; without: a root patch a face.
+  // Keeps both. With `clusters`: one root cluster per body; without: one root patch per face.
   NodeTree(const Scene& scene, MeshBuilder* builder, bool clusters);
 
   const std::vector<Node>& nodes() const { return nodes_; }
@@ -66,10 +66,10 @@ class NodeTree {
   // Makes the children of a leaf.
   void split(uint32_t node);
 
-  // Where light is told apart: leaf patches, and the faces of leaf clusters. Lights count from 0: the node of
+  // Leaves are leaf patches and the faces of leaf clusters. They are numbered from 0: the node of
   // a patch, or nodes().size() + the face.
   size_t leaf_count() const { return nodes_.size() + node_of_face_.size(); }
-  // The light that holds a rest point of a side of a polygon; kNone where that side has no face.
+  // The leaf that holds a rest point of a side of a polygon; kNone where that side has no face.
   uint32_t leaf_at(uint32_t polygon, uint32_t side, Vec3 rest_point) const;
   // The leaf cluster or the root patch of a face.
   uint32_t node_of_face(uint32_t face) const { return node_of_face_[face]; }

@@ -60,7 +60,7 @@ void pull(const NodeTree& tree, size_t width, float* radiance) {
 }
 
 std::vector<float> scales_of(const TransportInput& input, const LinkGather& gather, size_t count) {
-  // Larger ones tell of a gap or a contact, where no sum is to be trusted.
+  // A larger scale means a gap or a contact, where the sums are not reliable.
   constexpr float kHighest = 1.6f;
   const NodeTree& tree = *input.tree;
   std::vector<float> scales(tree.slot_count() * count, 1.0f);
@@ -70,7 +70,7 @@ std::vector<float> scales_of(const TransportInput& input, const LinkGather& gath
   std::vector<float> sums(tree.slot_count() * width, 0.0f);
   gather.run(unit.data(), sums.data());
   push(tree, width, sums.data());
-  const auto all = static_cast<float>(kPi);  // irradiance of a whole view of unit radiance
+  const auto all = static_cast<float>(kPi);  // irradiance from a full view of unit radiance
   for (size_t n = 0; n < tree.nodes().size(); ++n) {
     const Node& node = tree.nodes()[n];
     if (!node.is_leaf()) continue;

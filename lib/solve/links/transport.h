@@ -43,7 +43,7 @@ struct TransportInput {
   int max_iterations = 100;
 };
 
-// By slot and time sample, [slot * time samples.size() + i]; `irradiance` as the links gave it, balanced,
+// By slot and time sample, [slot * time_samples.size() + i]; `irradiance` as the links gave it, balanced,
 // leaves only.
 struct NodeLight {
   std::vector<Rgb> radiance;    // W / (sr m^2), reflected, without emission
@@ -52,17 +52,17 @@ struct NodeLight {
   double residual = 0;
 };
 
-// Solves for the light at `time samples` (time samples, ascending). `first_column`: of the direct light, for
+// Solves for the light at `time_samples` (ascending). `first_column`: of the direct light, for
 // the first time sample; the others follow.
 NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& time_samples,
                     uint32_t first_column);
 
 // Energy balance: what propagate() scales gathered irradiance by, so that the exchange of every leaf adds up
-// to its form factor sums at every time sample: [slot * time samples.size() + i], leaves only.
+// to its form factor sums at every time sample: [slot * time_samples.size() + i], leaves only.
 //
 // In a closed scene the form factors of a patch add up to 1. The error of each link is below a threshold but
-// thousands of them err with one sign, so one gather of unit radiance tells by how much to scale. No lobe
-// gets more than a whole view, so that bounces always die away, however coarse the links.
+// thousands of them err with one sign, so one gather of unit radiance gives the scale. No lobe
+// gets more than a full view (pi), so that the iteration always converges, however coarse the links.
 std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& time_samples);
 
 }  // namespace strad

@@ -16,10 +16,6 @@ constexpr double kCornersAFace = 1.25;
 const double kCosCurved = std::cos(30 * kPi / 180);  // of a bend between parts of one curved surface
 constexpr double kLargeFace = 1.0 / 12;              // of the scene's diagonal
 
-uint64_t edge_key(uint32_t a, uint32_t b) {
-  return (static_cast<uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
-}
-
 // For each vertex the first vertex at the same place, so that faces meet where only their positions agree.
 std::vector<uint32_t> merged_positions(const std::vector<Vec3>& vertices) {
   std::vector<uint32_t> order(vertices.size()), first(vertices.size());

@@ -18,12 +18,12 @@ class MeshBuilder {
 
   // The face of that side of a polygon; made with a single element when it is first asked for.
   uint32_t face(uint32_t polygon, uint32_t side);
-  // Makes the faces of all sides with reached[2 * polygon + side]. Those smaller than `small` (m) are whole,
-  // never to be split: uniform where they are parts of curved surfaces or smaller than half of that, with
-  // vertices of their own at their corners otherwise. Fine flats, whose faces share most corners with
-  // neighbours in their plane, are as large faces.
+  // Makes the faces of all sides with reached[2 * polygon + side]. Those smaller than `small` (m) are
+  // undivided, never to be split: uniform where they are parts of curved surfaces or smaller than half of
+  // that, with vertices of their own at their corners otherwise. Fine flats, whose faces share most corners
+  // with neighbours in their plane, are as large faces.
   void add_faces(const std::vector<bool>& reached, double small);
-  // Faces below this are whole, and vertices below that are theirs, in the same order.
+  // Faces below this are undivided, and vertices below that are theirs, in the same order.
   uint32_t undivided_faces() const { return undivided_faces_; }
   uint32_t undivided_vertices() const { return undivided_vertices_; }
   // By uniform face: those across each of its edges that continue it with little of a bend; none where any of
@@ -47,7 +47,7 @@ class MeshBuilder {
   int middles(uint32_t element, uint32_t* vertices) const;
 
   // Vertices that hang on the edge of a larger leaf: their value must be the mean of their parents' values,
-  // or the surface would be torn. One flag a vertex.
+  // or the surface would be torn. One flag per vertex.
   std::vector<bool> hanging_vertices() const;
 
   Mesh take() { return std::move(mesh_); }

@@ -91,7 +91,7 @@ Field denoise_uniform_faces(const TimeGrid& grid, const MeshBuilder& builder, fl
     const double usual = usual_difference(grid, field, neighbours, curved);
     Field smoothed;
     smoothed.order = grid.order;
-    smoothed.expect_rows(2 * builder.mesh().vertices.size());  // as in rows_of_whole_faces
+    smoothed.expect_rows(2 * builder.mesh().vertices.size());  // as in rows_of_undivided_faces
     for (size_t first = 0; first < curved.size(); first += kRows) {
       std::vector<std::vector<Rgb>> rows(std::min(kRows, curved.size() - first));
       parallel_for(rows.size(), 16, [&](size_t begin, size_t end) {

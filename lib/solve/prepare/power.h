@@ -1,4 +1,4 @@
-// What can be told of the light of a scene before it is solved.
+// An estimate of the light of a scene before it is solved.
 #pragma once
 
 #include <vector>

@@ -28,7 +28,7 @@ SweptBounds::SweptBounds(const Scene& scene, const Tracer& tracer, const TimeGri
     const Box rest = tracer.body_box(b);
     std::vector<Box> boxes(cells);
     for (uint32_t c = 0; c < cells; ++c) {
-      // Five time samples a cell, and a margin for the bulge of a turn between two of them.
+      // Five instants per cell, and a margin for the bulge of a turn between two of them.
       double travel = 0;
       std::vector<Vec3> last;
       for (int k = 0; k <= 4; ++k) {

@@ -19,15 +19,15 @@ class SweptBounds {
   // World box of a moving body with surfaces over an interval.
   Box box(uint32_t body, Interval interval) const;
 
-  // Can a moving body other than `a` and `b`'s own come between two spheres (world) during the interval?
+  // Can a moving body come between two spheres (world) during the interval?
   bool may_block(Vec3 centre_a, double radius_a, Vec3 centre_b, double radius_b, Interval interval) const;
 
   // May the segment from `from` to from + reach * direction meet a moving body, ever or during a cell?
   bool may_meet(Vec3 from, Vec3 direction, double reach) const;
   bool may_meet_in(uint32_t cell, Vec3 from, Vec3 direction, double reach) const;
 
-  // Poses at the beginning, inside, and end of cells: `cell_coordinate` within the span of `interval`. A step
-  // at an end of a span is seen from inside the span.
+  // Poses at a fraction `s` (0 to 1) of an interval. At a step at either end the values inside the interval
+  // hold.
   std::vector<Pose> poses(Interval interval, double s) const;
   const std::vector<Pose>& cell_begin_poses(uint32_t cell) const { return begin_poses_[cell]; }
   const std::vector<Pose>& cell_end_poses(uint32_t cell) const { return end_poses_[cell]; }

@@ -10,35 +10,35 @@ namespace strad {
 namespace {
 
 constexpr size_t kTimes = 37;
-const std::vector<uint32_t> kLights{2, 3, 11};
+const std::vector<uint32_t> kLeaves{2, 3, 11};
 
 // Over nine powers of ten.
-Rgb value(uint64_t light, uint64_t time_sample) {
+Rgb value(uint64_t leaf, uint64_t time_sample) {
   const auto channel = [&](uint64_t c) {
-    return static_cast<float>(std::pow(10.0, 9 * unit_from(hash_of(light, time_sample, c)) - 5));
+    return static_cast<float>(std::pow(10.0, 9 * unit_from(hash_of(leaf, time_sample, c)) - 5));
   };
   return {channel(0), channel(1), channel(2)};
 }
 
 FunctionBlock filled() {
-  FunctionBlock functions(12, kLights, kTimes);
-  for (const uint32_t light : {11u, 2u, 3u})  // in any order
-    for (size_t d = 0; d < kTimes; ++d) functions.set(light, d, value(light, d));
+  FunctionBlock functions(12, kLeaves, kTimes);
+  for (const uint32_t leaf : {11u, 2u, 3u})  // in any order
+    for (size_t d = 0; d < kTimes; ++d) functions.set(leaf, d, value(leaf, d));
   return functions;
 }
 
 TEST(FunctionBlock, KeepsThreeDigits) {
   const FunctionBlock functions = filled();
-  for (const uint32_t light : kLights)
+  for (const uint32_t leaf : kLeaves)
     for (size_t d = 0; d < kTimes; ++d)
       for (int c = 0; c < 3; ++c) {
-        const float expected = value(light, d)[c];
-        EXPECT_NEAR(functions.get(light, d)[c], expected, 0.004f * expected);
+        const float expected = value(leaf, d)[c];
+        EXPECT_NEAR(functions.get(leaf, d)[c], expected, 0.004f * expected);
       }
 }
 
 // Rounding is to the nearest: what many add up to is right.
-TEST(FunctionBlock, DoesNotLean) {
+TEST(FunctionBlock, RoundsToNearest) {
   FunctionBlock functions(1, {0}, 10000);
   double sum = 0, expected = 0;
   for (size_t d = 0; d < 10000; ++d) {
@@ -50,12 +50,12 @@ TEST(FunctionBlock, DoesNotLean) {
   EXPECT_NEAR(sum / expected, 1, 1e-4);
 }
 
-TEST(FunctionBlock, BeginsDark) {
-  const FunctionBlock functions(12, kLights, kTimes);
+TEST(FunctionBlock, BeginsAtZero) {
+  const FunctionBlock functions(12, kLeaves, kTimes);
   EXPECT_EQ(functions.get(3, 5), Rgb{});
   EXPECT_TRUE(functions.has(2));
   EXPECT_FALSE(functions.has(4));
-  EXPECT_EQ(functions.rows(), kLights);
+  EXPECT_EQ(functions.rows(), kLeaves);
 }
 
 TEST(FunctionBlock, AddIsTheSum) {
@@ -94,7 +94,7 @@ void expect_kept(double red_and_green, double blue) {
 TEST(FineFunction, KeepsSixteenBits) { expect_kept<FineFunction>(0.51 / 65535, 0.51 / 65535); }
 TEST(CoarseFunction, KeepsElevenElevenAndTenBits) { expect_kept<CoarseFunction>(0.51 / 2047, 0.51 / 1023); }
 
-TEST(FineFunction, DarkOnesAndEmptyOnes) {
+TEST(FineFunction, ZeroAndEmptyFunctions) {
   EXPECT_TRUE(FineFunction().empty());
   EXPECT_TRUE(CoarseFunction().empty());
   EXPECT_EQ(FineFunction(std::vector<Rgb>(3))[1], Rgb{});
