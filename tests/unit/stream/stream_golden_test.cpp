@@ -75,7 +75,8 @@ Bytes golden_bytes() {
 
 void renew(const Bytes& bytes) {
   std::ofstream file(kPath);
-  file << "# Stream of version 1, made by `STRAD_RENEW=1 ctest --test-dir build -R stream_golden_test` with zstd 1.5.4.\n"
+  file << "# Stream of version 1, made by `STRAD_RENEW=1 ctest --test-dir build -R stream_golden_test` with "
+          "zstd 1.5.4.\n"
           "# Renew it only when compression changes; when the format changes, raise the version, add a "
           "file.\n";
   file << std::hex << std::setfill('0');
