@@ -20,6 +20,8 @@ struct FrameTool {
   FrameRequest request;
   bool pov = false, ply = false;
   std::optional<int> reference, seed;
+  std::string show;
+  std::optional<double> within;
 };
 
 void check_reference(const FrameTool& tool) {
@@ -33,8 +35,18 @@ void check_reference(const FrameTool& tool) {
   if (tool.request.raster.flat) throw BadInput("--reference and --flat: found both, expected one of them");
 }
 
+void check_show(const FrameTool& tool) {
+  if (tool.within && tool.show != "openness") throw BadInput("--within: for --show openness only");
+  if (tool.within && !(*tool.within > 0 && std::isfinite(*tool.within)))
+    throw BadInput("--within: expected a length above 0 m");
+  if (tool.show.empty()) return;
+  if (tool.pov || tool.ply || tool.reference || tool.request.raster.flat || tool.request.shutter > 0)
+    throw BadInput("--show: for pictures, without --pov, --ply, --reference, --flat and --shutter");
+}
+
 void check(const FrameTool& tool) {
   check_reference(tool);
+  check_show(tool);
   const FrameRequest& request = tool.request;
   if (!request.frames.empty() && !request.times.empty()) {
     throw BadInput("--frames and --time: found both, expected one of them");
@@ -52,6 +64,11 @@ void check(const FrameTool& tool) {
   }
   if (tool.pov && !goes_to_files(request))
     throw BadInput("--pov: expected -o PATTERN, such as -o 'frame.%04d.inc'");
+}
+
+ShowWhat show_of(const std::string& word) {
+  if (word == "elements") return ShowWhat::kElements;
+  return word == "error" ? ShowWhat::kError : ShowWhat::kOpenness;
 }
 
 FrameTool parse_options(int argc, char** argv) {
@@ -74,6 +91,10 @@ FrameTool parse_options(int argc, char** argv) {
   options.integer("--reference", "N", &tool.reference,
                   "trace N paths a pixel and leave the solution aside: slow, noisy, unbiased");
   options.integer("--seed", "S", &tool.seed, "of the noise of --reference (default 0)");
+  options.choice("--show", {"elements", "error", "openness"}, &tool.show,
+                 "in place of light, the mesh, its error, or how open surfaces are");
+  options.number("--within", "M", &tool.within,
+                 "metres that --show openness looks (default: a tenth of the scene)");
   options.number("--exposure", "EV", &request.exposure, "scale all light by 2^EV (default 0)");
   options.flag("--pfm", &request.pfm, "linear PFM on standard output in place of PPM");
   options.flag("--pov", &tool.pov, "write files for POV-Ray in place of pictures");
@@ -88,6 +109,8 @@ FrameTool parse_options(int argc, char** argv) {
   request.raster.direct = direct == "mesh" ? DirectFrom::kMesh : DirectFrom::kPixel;
   request.output = tool.common.output;
   check(tool);
+  if (!tool.show.empty()) request.show = show_of(tool.show);
+  request.within = tool.within.value_or(0);
   request.reference = tool.reference.value_or(0);
   request.seed = static_cast<uint64_t>(tool.seed.value_or(0));
   return tool;
@@ -102,6 +125,8 @@ int write_frames(const FrameTool& tool) {
     write_ply(tool.request, progress);
   } else if (tool.request.reference > 0) {
     write_references(tool.request, progress);
+  } else if (tool.request.show) {
+    write_shows(tool.request, progress);
   } else {
     write_pictures(tool.request, progress);
   }

@@ -1,5 +1,6 @@
 // The space-time solve: adds the light of the whole animation to the stream.
 #include "solution/slab_work.h"
+#include "solve/links/link_counts.h"
 #include "solve/solve.h"
 #include "solve/stats_text.h"
 #include "tool.h"
@@ -10,7 +11,7 @@ namespace {
 struct SolveArguments {
   strad::Common common;
   strad::SolveOptions solve;
-  std::string stream, stats, provenance;
+  std::string stream, stats, links, provenance;
 };
 
 SolveArguments parse_arguments(int argc, char** argv) {
@@ -29,6 +30,9 @@ SolveArguments parse_arguments(int argc, char** argv) {
   options.flag("--no-clusters", &no_clusters, "link surfaces only, for comparison");
   options.text("--stats", "FILE", &a.stats, "write what the solve did and cost to FILE, as JSON");
   options.unrecorded("--stats", true);
+  options.text("--links", "FILE", &a.links,
+               "write how many links arrive at each leaf to FILE, as a PLY mesh");
+  options.unrecorded("--links", true);
   options.file("STREAM", &a.stream, "scene stream; absent or -: standard input");
   options.parse(argc, argv);
   a.solve.order = basis[1] - '0';
@@ -47,12 +51,17 @@ SolveArguments parse_arguments(int argc, char** argv) {
 int solve(const SolveArguments& a) {
   strad::refuse_terminal(a.common.output);
   strad::Stream stream = strad::read_stream(a.stream);
-  strad::Solved solved = strad::solve(std::move(stream.scene), a.solve, strad::progress_on_stderr(a.common));
+  strad::SolveOptions options = a.solve;
+  std::string links;
+  if (!a.links.empty())
+    options.look_at_links = [&](const auto& tree, const auto& table) { links = links_as_ply(tree, table); };
+  strad::Solved solved = strad::solve(std::move(stream.scene), options, strad::progress_on_stderr(a.common));
   stream.scene = std::move(solved.scene);
   strad::drop_work(&stream.others);
   stream.others.push_back(strad::encode_work(solved.work));
   stream.solution.emplace().slabs.push_back(std::move(solved.slab));
   strad::write_stream(std::move(stream), a.provenance, a.common);
+  if (!a.links.empty()) strad::write_text_file(a.links, links);
   if (!a.stats.empty()) strad::write_text_file(a.stats, strad::stats_as_json(solved.stats));
   return 0;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/cosine_direction.h"
 #include "light/spotlight.h"
 
 namespace strad {
@@ -12,14 +13,6 @@ namespace {
 constexpr int kCandidates = 8;
 // Paths are whole up to this many reflections, then end by chance (Arvo & Kirk 1990).
 constexpr int kWhole = 2;
-
-// Malley's method: directions in proportion to their cosine.
-Vec3 cosine_direction(Vec3 normal, Point2 at) {
-  const double radius = std::sqrt(at.u), angle = 2 * kPi * at.v;
-  const Frame frame = frame_about(normal);
-  return normalized(radius * std::cos(angle) * frame.tangent + radius * std::sin(angle) * frame.bitangent +
-                    std::sqrt(std::max(0.0, 1 - at.u)) * normal);
-}
 
 }  // namespace
 

@@ -12,9 +12,9 @@
 namespace strad {
 namespace {
 
-// Renders each frame and writes it to its file or down a pipe.
-void write_each(const FrameRequest& request, const Scene& scene, TimeRange range, const Progress& progress,
-                const std::function<Image(const Camera&, double time)>& render) {
+// Renders each frame, scales it by 2^exposure and writes it to its file or down a pipe.
+void write_each(const FrameRequest& request, const Scene& scene, TimeRange range, double exposure,
+                const Progress& progress, const std::function<Image(const Camera&, double time)>& render) {
   const std::vector<FrameTime> frames = requested_frames(request, scene, range);
   const Camera& camera = find_camera(scene, "--camera", request.camera);
   std::optional<FilePattern> pattern;
@@ -29,7 +29,7 @@ void write_each(const FrameRequest& request, const Scene& scene, TimeRange range
     const auto [number, time] = frames[i];
     report_frame(progress, i, frames.size(), number);
     Image image = render(camera, time);
-    expose(&image, request.exposure);
+    expose(&image, exposure);
     if (pattern) {
       save_image(pattern->name(number), image);
     } else {
@@ -46,7 +46,7 @@ void write_pictures(const FrameRequest& request, const Progress& progress) {
   RasterOptions options = request.raster;
   options.shutter = request.shutter / file.scene().rate;
   Raster raster(file.scene());
-  write_each(request, file.scene(), {file.begin(), file.end()}, progress,
+  write_each(request, file.scene(), {file.begin(), file.end()}, request.exposure, progress,
              [&](const Camera& camera, double time) {
                const Slab& slab = file.slab_for(time, time + options.shutter, parts_for(options));
                return raster.render(slab, camera, time, options);
@@ -62,8 +62,32 @@ void write_references(const FrameRequest& request, const Progress& progress) {
   options.shutter = request.shutter / scene.rate;
   options.seed = request.seed;
   const Reference reference(scene);
-  write_each(request, scene, {scene.start, scene.end, "the animation"}, progress,
+  write_each(request, scene, {scene.start, scene.end, "the animation"}, request.exposure, progress,
              [&](const Camera& camera, double time) { return reference.render(camera, time, options); });
+}
+
+void write_shows(const FrameRequest& request, const Progress& progress) {
+  ShowOptions options;
+  options.what = *request.show;
+  options.width = request.raster.width;
+  options.height = request.raster.height;
+  options.exposure = request.exposure;
+  options.within = request.within;
+  options.samples = request.raster.samples;
+  if (!needs_solution(options.what)) {
+    const Scene scene = read_stream(request.stream).scene;
+    const Show show(scene);
+    write_each(
+        request, scene, {scene.start, scene.end, "the animation"}, 0, progress,
+        [&](const Camera& camera, double time) { return show.render(nullptr, camera, time, options); });
+    return;
+  }
+  SolutionFile file(request.stream);
+  const Show show(file.scene());
+  write_each(request, file.scene(), {file.begin(), file.end()}, 0, progress,
+             [&](const Camera& camera, double time) {
+               return show.render(&file.slab_at(time), camera, time, options);
+             });
 }
 
 }  // namespace strad

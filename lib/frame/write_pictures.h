@@ -10,5 +10,7 @@ namespace strad {
 void write_pictures(const FrameRequest& request, const Progress& progress);
 // The same for reference frames, which need no solution.
 void write_references(const FrameRequest& request, const Progress& progress);
+// The same for what request.show asks for.
+void write_shows(const FrameRequest& request, const Progress& progress);
 
 }  // namespace strad

@@ -169,6 +169,7 @@ RefinedLinks links_of(const Workspace& work, const Prepared& p, const SolveOptio
   const LinkOptions link_options{options.error * p.expected_radiance / 8, p.diagonal / 150, options.residual};
   const auto sums = [&](uint64_t* rays) { return form_factor_sums_by_rays(work, rays); };
   RefinedLinks links = refine_links(work, p.instants, link_options, direct, sums, tree);
+  if (options.look_at_links) options.look_at_links(*tree, links.table);
   stats->links.rays = links.counts.rays + links.form_factor_rays;
   stats->links.links = links.count;
   stats->links.links_refined_in_time = links.counts.refined_in_time;

@@ -1,6 +1,7 @@
 // The space-time solve: light transport for a whole animation at once.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "base/progress.h"
@@ -11,6 +12,9 @@
 
 namespace strad {
 
+class NodeTree;
+struct LinkTable;
+
 struct SolveOptions {
   double error = 0.02;          // tolerated error, fraction of the scene's mean radiance, > 0
   int order = 3;                // temporal basis M_order: 1 constant (Haar), 2 linear, 3 quadratic
@@ -19,6 +23,8 @@ struct SolveOptions {
   std::optional<double> instant;  // s: solve this one time sample
   bool clusters = true;           // false: links between surfaces only
   double residual = 1e-4;         // iterate until the largest change of mean radiance falls below, relative
+  // Shown the links once they are final, before light is sent along them. May be empty.
+  std::function<void(const NodeTree&, const LinkTable&)> look_at_links;
 };
 
 // `scene` is the scene that was solved: the given one with polygons cut under walls (cut_under_walls).

@@ -15,8 +15,10 @@ void write_ply(const FrameRequest& request, const Progress& progress) {
                    " frames for standard output, expected one, or -o with a pattern such as frame.%04d.ply");
   }
   const PlyExport meshes(stream.scene, *stream.solution);
-  if (!goes_to_files(request))
+  if (!goes_to_files(request)) {
+    report_frame(progress, 0, 1, frames.front().number);
     return write_text_file("-", meshes.frame(frames.front().time, request.exposure));
+  }
   const FilePattern pattern = output_pattern(request, frames.size());
   for (size_t i = 0; i < frames.size(); ++i) {
     report_frame(progress, i, frames.size(), frames[i].number);

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "light/direct.h"
 #include "light/tracer.h"
+#include "solve/links/kernel_means.h"
 #include "solve/links/nodes.h"
 #include "solve/prepare/swept.h"
 #include "time/time_grid.h"
@@ -28,10 +28,6 @@ struct KernelEstimate {
   bool known = false;    // the estimate has been made
 };
 
-struct KernelCounts {
-  uint64_t rays = 0, evaluations = 0;
-};
-
 class KernelEvaluator {
  public:
   KernelEvaluator(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept);
@@ -43,14 +39,10 @@ class KernelEvaluator {
   bool overlap(uint32_t receiver, uint32_t emitter, Interval interval) const;
 
  private:
-  struct Means;
   bool can_exchange(const Node& p, const Node& q, const std::vector<Pose>& poses) const;
-  Means sample(const Node& p, const Node& q, uint64_t seed, const std::vector<Pose>& poses, int control,
-               KernelCounts* counts) const;
-  Means sample_patches(const Node& p, const Node& q, uint64_t seed, const std::vector<Pose>& poses,
-                       int control, KernelCounts* counts) const;
-  Means sample_clusters(const Node& p, const Node& q, uint64_t seed, const std::vector<Pose>& poses,
-                        int control, KernelCounts* counts) const;
+  // The kernel at the Gauss time samples, and errors also at control instants between them.
+  void sample_changing(const Node& p, const Node& q, uint64_t seed, Interval interval,
+                       KernelEstimate* estimate, KernelCounts* counts) const;
 
   const NodeTree& tree_;
   const Tracer& tracer_;

@@ -261,30 +261,36 @@ void Refinement::refine(const RefinementOptions& options) {
   refine(std::move(work), options);
 }
 
+std::vector<Refinement::Action> Refinement::decide_all(const RefinementOptions& options,
+                                                       std::vector<Link>* batch) {
+  constexpr size_t kGrain = 64;
+  std::vector<Action> actions(batch->size(), Action::kUnknown);
+  std::vector<KernelCounts> counts(batch->size() / kGrain + 1);
+  parallel_for(counts.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = kGrain * begin; i < std::min(kGrain * end, batch->size()); ++i) {
+      Link& link = (*batch)[i];
+      if (!link.estimate.known) {
+        actions[i] = decide_unseen(link, options);
+        if (actions[i] != Action::kUnknown) continue;
+        link.estimate = kernels_.estimate(link.receiver, link.emitter, link.interval, &counts[i / kGrain]);
+      }
+      actions[i] = decide(link, options);
+    }
+  });
+  for (const KernelCounts& c : counts) {
+    counts_.rays += c.rays;
+    counts_.evaluations += c.evaluations;
+  }
+  return actions;
+}
+
 // Depth first in batches: what waits stays short however many pairs there are.
 void Refinement::refine(std::vector<Link> work, const RefinementOptions& options) {
-  constexpr size_t kGrain = 64;
   while (!work.empty()) {
     const auto first = work.end() - static_cast<ptrdiff_t>(std::min(work.size(), kBatch));
     std::vector<Link> batch(first, work.end());
     work.erase(first, work.end());
-    std::vector<Action> actions(batch.size(), Action::kUnknown);
-    std::vector<KernelCounts> counts(batch.size() / kGrain + 1);
-    parallel_for(counts.size(), 1, [&](size_t begin, size_t end) {
-      for (size_t i = kGrain * begin; i < std::min(kGrain * end, batch.size()); ++i) {
-        Link& link = batch[i];
-        if (!link.estimate.known) {
-          actions[i] = decide_unseen(link, options);
-          if (actions[i] != Action::kUnknown) continue;
-          link.estimate = kernels_.estimate(link.receiver, link.emitter, link.interval, &counts[i / kGrain]);
-        }
-        actions[i] = decide(link, options);
-      }
-    });
-    for (const KernelCounts& c : counts) {
-      counts_.rays += c.rays;
-      counts_.evaluations += c.evaluations;
-    }
+    const std::vector<Action> actions = decide_all(options, &batch);
     std::vector<uint32_t> to_split;
     for (size_t i = 0; i < batch.size(); ++i) {
       if (actions[i] == Action::kSplitReceiver) to_split.push_back(batch[i].receiver);

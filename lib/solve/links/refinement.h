@@ -54,6 +54,8 @@ class Refinement {
   bool can_split(const Node& node, const RefinementOptions& options) const;
   double scale_of(const Node& receiver) const;
   void refine(std::vector<Link> work, const RefinementOptions& options);
+  // What to do with each link; makes the estimates that it takes.
+  std::vector<Action> decide_all(const RefinementOptions& options, std::vector<Link>* batch);
   bool is_lit(uint32_t node) const;
   void split_nodes(const std::vector<uint32_t>& nodes);
   void describe_new_nodes(size_t first);

@@ -88,6 +88,67 @@ std::vector<float> scales_of(const TransportInput& input, const LinkGather& gath
   return scales;
 }
 
+// Radiance that leaves reflect of direct light, by slot and time sample.
+std::vector<Rgb> direct_of_slots(const TransportInput& input, uint32_t first_column, size_t count) {
+  std::vector<Rgb> direct(input.tree->slot_count() * count);
+  for (const Node& node : input.tree->nodes())
+    if (node.is_leaf())
+      for (size_t s = node.slot; s < node.slot + slots_of(node); ++s)
+        for (size_t j = 0; j < count; ++j) direct[s * count + j] = input.direct(s, first_column + j);
+  return direct;
+}
+
+// How much a new radiance differs from the one before, summed over areas and time samples.
+class RadianceChange {
+ public:
+  void set(Rgb* radiance, float area, Rgb now) {
+    const Rgb& before = *radiance;
+    change_ += area * static_cast<double>(std::abs(now.r - before.r) + std::abs(now.g - before.g) +
+                                          std::abs(now.b - before.b));
+    total_ += area * static_cast<double>(now.r + now.g + now.b);
+    *radiance = now;
+  }
+  double relative() const { return total_ > 0 ? change_ / total_ : 0; }
+
+ private:
+  double change_ = 0, total_ = 0;
+};
+
+// `e`: irradiance of a leaf cluster at all time samples, lobe after lobe; `direct` and `radiance` likewise.
+void reflect_cluster(const TransportInput& input, const Node& node, size_t count, const Rgb* e,
+                     const Rgb* direct, Rgb* radiance, RadianceChange* change) {
+  const ClusterReflection& reflection = (*input.reflections)[node.cluster];
+  for (size_t to = 0; to < kLobes; ++to) {
+    const float area = node.area * input.tree->cluster(node).lobe_share[to];
+    for (size_t j = 0; j < count; ++j) {
+      Rgb now = direct[to * count + j];
+      for (size_t from = 0; from < kLobes; ++from) now += reflection.radiance[to][from] * e[from * count + j];
+      change->set(&radiance[to * count + j], area, now);
+    }
+  }
+}
+
+// Radiance of all leaves from what they have gathered, which is balanced by `scales`. Returns the relative
+// change.
+double reflect(const TransportInput& input, const std::vector<float>& scales, const std::vector<Rgb>& direct,
+               size_t count, NodeLight* light) {
+  RadianceChange change;
+  for (const Node& node : input.tree->nodes()) {
+    if (!node.is_leaf()) continue;
+    const size_t first = node.slot * count;
+    Rgb* e = &light->irradiance[first];
+    for (size_t j = 0; j < slots_of(node) * count; ++j) e[j] = scales[first + j] * e[j];
+    if (node.is_cluster()) {
+      reflect_cluster(input, node, count, e, &direct[first], &light->radiance[first], &change);
+      continue;
+    }
+    const Rgb brdf = static_cast<float>(1 / kPi) * node.reflectance;
+    for (size_t j = 0; j < count; ++j)
+      change.set(&light->radiance[first + j], node.area, direct[first + j] + brdf * e[j]);
+  }
+  return change.relative();
+}
+
 }  // namespace
 
 std::vector<ClusterReflection> reflections_of(const NodeTree& tree) {
@@ -122,14 +183,10 @@ NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& ti
   const size_t count = time_samples.size(), width = 3 * count;
   const LinkGather gather(*input.grid, *input.tree, *input.links, *input.instants, time_samples);
   const std::vector<float> scales = scales_of(input, gather, count);
+  const std::vector<Rgb> direct = direct_of_slots(input, first_column, count);
   NodeLight light;
   light.radiance.assign(tree.slot_count() * count, {});
   light.irradiance.assign(tree.slot_count() * count, {});
-  std::vector<Rgb> direct(tree.slot_count() * count);
-  for (const Node& node : tree.nodes())
-    if (node.is_leaf())
-      for (size_t s = node.slot; s < node.slot + slots_of(node); ++s)
-        for (size_t j = 0; j < count; ++j) direct[s * count + j] = input.direct(s, first_column + j);
   float* radiance = &light.radiance.data()->r;
   float* irradiance = &light.irradiance.data()->r;
   for (int i = 0; i <= input.max_iterations; ++i) {
@@ -138,39 +195,9 @@ NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& ti
       gather.run(radiance, irradiance);
       push(tree, width, irradiance);
     }
-    double change = 0, total = 0;
-    const auto set = [&](size_t slot, size_t j, float area, Rgb now) {
-      Rgb& before = light.radiance[slot * count + j];
-      change += area * static_cast<double>(std::abs(now.r - before.r) + std::abs(now.g - before.g) +
-                                           std::abs(now.b - before.b));
-      total += area * static_cast<double>(now.r + now.g + now.b);
-      before = now;
-    };
-    for (size_t n = 0; n < tree.nodes().size(); ++n) {
-      const Node& node = tree.nodes()[n];
-      if (!node.is_leaf()) continue;
-      Rgb* e = light.irradiance.data() + node.slot * count;
-      for (size_t j = 0; j < slots_of(node) * count; ++j) e[j] = scales[node.slot * count + j] * e[j];
-      const Rgb* from_direct = direct.data() + node.slot * count;
-      if (!node.is_cluster()) {
-        const Rgb brdf = static_cast<float>(1 / kPi) * node.reflectance;
-        for (size_t j = 0; j < count; ++j) set(node.slot, j, node.area, from_direct[j] + brdf * e[j]);
-        continue;
-      }
-      const ClusterReflection& reflection = (*input.reflections)[node.cluster];
-      for (size_t to = 0; to < kLobes; ++to) {
-        const float area = node.area * tree.cluster(node).lobe_share[to];
-        for (size_t j = 0; j < count; ++j) {
-          Rgb now = from_direct[to * count + j];
-          for (size_t from = 0; from < kLobes; ++from)
-            now += reflection.radiance[to][from] * e[from * count + j];
-          set(node.slot + to, j, area, now);
-        }
-      }
-    }
+    light.residual = reflect(input, scales, direct, count, &light);
     pull(tree, width, radiance);
     light.iterations = i;
-    light.residual = total > 0 ? change / total : 0;
     if (light.residual < input.residual) break;
   }
   return light;

@@ -2,30 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 
-#include "base/disjoint_sets.h"
 #include "base/rng.h"
+#include "solve/mesh/face_kinds.h"
 
 namespace strad {
 namespace {
 
-// A flat of small faces with more corners a face than this is not much of a flat.
-constexpr double kCornersAFace = 1.25;
-const double kCosCurved = std::cos(30 * kPi / 180);  // of a bend between parts of one curved surface
-constexpr double kLargeFace = 1.0 / 12;              // of the scene's diagonal
-
-// For each vertex the first vertex at the same place, so that faces meet where only their positions agree.
-std::vector<uint32_t> merged_positions(const std::vector<Vec3>& vertices) {
-  std::vector<uint32_t> order(vertices.size()), first(vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](uint32_t v) { return std::tuple(vertices[v].x, vertices[v].y, vertices[v].z, v); };
-  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
-  for (size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && vertices[order[i]] == vertices[order[i - 1]] ? first[order[i - 1]] : order[i];
-  return first;
-}
+constexpr double kLargeFace = 1.0 / 12;  // of the scene's diagonal
 
 Vec3 polygon_centre(const Scene& scene, const Polygon& polygon) {
   Vec3 centre;
@@ -34,25 +18,9 @@ Vec3 polygon_centre(const Scene& scene, const Polygon& polygon) {
   return centre;
 }
 
-double longest_edge(const Scene& scene, const Polygon& polygon) {
-  double longest = 0;
-  const int n = polygon.corner_count();
-  for (int c = 0; c < n; ++c)
-    longest = std::max(
-        longest, length(scene.vertices[polygon.corners[(c + 1) % n]] - scene.vertices[polygon.corners[c]]));
-  return longest;
-}
-
 }  // namespace
 
-size_t MeshBuilder::CornerHash::operator()(const CornerKey& key) const {
-  uint64_t h = hash_of(key.position, key.body, key.side);
-  for (const int n : key.normal) h = mix64(h ^ static_cast<uint64_t>(static_cast<int64_t>(n)));
-  return h;
-}
-
-MeshBuilder::MeshBuilder(const Scene& scene)
-    : scene_(scene), position_of_vertex_(merged_positions(scene.vertices)) {
+MeshBuilder::MeshBuilder(const Scene& scene) : scene_(scene), joints_(scene) {
   mesh_.face_of_side.assign(2 * scene.polygons.size(), kNone);
   Box box;
   for (const Vec3& v : scene.vertices) box.add(v);
@@ -97,12 +65,6 @@ void MeshBuilder::add_undivided_face(uint32_t polygon, uint32_t side) {
   }
 }
 
-bool MeshBuilder::continues(uint32_t polygon, uint32_t other) const {
-  const Polygon &p = scene_.polygons[polygon], &q = scene_.polygons[other];
-  return body_of(scene_, p) == body_of(scene_, q) &&
-         dot(polygon_normal(scene_, p), polygon_normal(scene_, q)) >= kCosCurved;
-}
-
 std::vector<std::vector<uint32_t>> MeshBuilder::curved_neighbours() const {
   std::unordered_map<uint64_t, uint32_t> waiting;  // of a side's edge, the first face; only looked up
   std::vector<std::vector<uint32_t>> neighbours(undivided_faces_);
@@ -111,10 +73,8 @@ std::vector<std::vector<uint32_t>> MeshBuilder::curved_neighbours() const {
     const auto& [polygon, side, root] = mesh_.faces[f];
     const Polygon& p = scene_.polygons[polygon];
     for (int c = 0; c < p.corner_count(); ++c) {
-      const uint32_t a = position_of_vertex_[p.corners[c]],
-                     b = position_of_vertex_[p.corners[(c + 1) % p.corner_count()]];
-      const auto [it, added] = waiting.try_emplace(hash_of(edge_key(a, b), uint64_t{side}), f);
-      if (added || !continues(polygon, mesh_.faces[it->second].polygon)) continue;
+      const auto [it, added] = waiting.try_emplace(hash_of(joints_.edge(polygon, c), uint64_t{side}), f);
+      if (added || !joints_.continues(polygon, mesh_.faces[it->second].polygon)) continue;
       neighbours[f].push_back(it->second);
       neighbours[it->second].push_back(f);
     }
@@ -126,90 +86,23 @@ std::vector<std::vector<uint32_t>> MeshBuilder::curved_neighbours() const {
   return neighbours;
 }
 
-// Polygons smaller than `small` that continue across half of their edges or more with little of a bend.
-std::vector<bool> MeshBuilder::curved_polygons(double small) const {
-  std::unordered_map<uint64_t, uint32_t> first_user;  // of an edge; looked up only, never iterated
-  std::vector<int> differences(scene_.polygons.size(), 0);
-  for (uint32_t i = 0; i < scene_.polygons.size(); ++i) {
-    const Polygon& p = scene_.polygons[i];
-    if (!(longest_edge(scene_, p) < small)) continue;
-    for (int c = 0; c < p.corner_count(); ++c) {
-      const uint32_t a = position_of_vertex_[p.corners[c]],
-                     b = position_of_vertex_[p.corners[(c + 1) % p.corner_count()]];
-      const auto [it, added] = first_user.try_emplace(edge_key(a, b), i);
-      if (added || !continues(i, it->second)) continue;
-      ++differences[i], ++differences[it->second];
-    }
-  }
-  std::vector<bool> curved(differences.size());
-  for (uint32_t i = 0; i < differences.size(); ++i)
-    curved[i] = 2 * differences[i] >= scene_.polygons[i].corner_count();
-  return curved;
-}
-
 void MeshBuilder::add_faces(const std::vector<bool>& reached, double small) {
-  const auto sides = static_cast<uint32_t>(reached.size());
-  const auto is_small = [&](uint32_t side) {
-    return reached[side] && longest_edge(scene_, scene_.polygons[side / 2]) < small;
-  };
-  // Small sides that share corners in one plane are judged together, or the rim of a flat would differ.
-  std::unordered_map<CornerKey, uint32_t, CornerHash> first_user;  // looked up only, never iterated
-  DisjointSets flats(sides);
-  std::vector<uint32_t> new_corners(sides, 0);
-  for (uint32_t s = 0; s < sides; ++s) {
-    if (!is_small(s)) continue;
-    for (int c = 0; c < scene_.polygons[s / 2].corner_count(); ++c) {
-      const auto [it, added] = first_user.try_emplace(corner_key(s / 2, s % 2, c), s);
-      if (added)
-        ++new_corners[s];
-      else
-        flats.join(s, it->second);
-    }
-  }
-  std::vector<uint32_t> polygons(sides, 0), corners(sides, 0);  // of a flat, by its lowest side
-  for (uint32_t s = 0; s < sides; ++s) {
-    if (!is_small(s)) continue;
-    ++polygons[flats.find(s)];
-    corners[flats.find(s)] += new_corners[s];
-  }
-  const std::vector<bool> curved = curved_polygons(small);
-  std::vector<uint32_t> uniform, whole, others;
-  for (uint32_t s = 0; s < sides; ++s) {
-    if (!reached[s]) continue;
-    const uint32_t flat = flats.find(s);
-    if (!is_small(s) || corners[flat] <= kCornersAFace * polygons[flat]) {
-      others.push_back(s);
-    } else if (curved[s / 2] || longest_edge(scene_, scene_.polygons[s / 2]) < small / 2) {
-      uniform.push_back(s);
-    } else {
-      whole.push_back(s);
-    }
-  }
-  for (const uint32_t s : uniform) add_uniform_face(s / 2, s % 2);
-  for (const uint32_t s : whole) add_undivided_face(s / 2, s % 2);
+  const FaceKinds kinds = face_kinds(scene_, joints_, reached, small);
+  for (const uint32_t s : kinds.uniform) add_uniform_face(s / 2, s % 2);
+  for (const uint32_t s : kinds.undivided) add_undivided_face(s / 2, s % 2);
   undivided_faces_ = static_cast<uint32_t>(mesh_.faces.size());
   undivided_vertices_ = static_cast<uint32_t>(mesh_.vertices.size());
-  for (const uint32_t s : others) add_face(s / 2, s % 2);
+  for (const uint32_t s : kinds.divided) add_face(s / 2, s % 2);
 }
 
 double MeshBuilder::accuracy_share(uint32_t face) const {
   return std::clamp(longest_edge(scene_, scene_.polygons[mesh_.faces[face].polygon]) / large_, 0.2, 1.0);
 }
 
-MeshBuilder::CornerKey MeshBuilder::corner_key(uint32_t polygon, uint32_t side, int corner) const {
-  const Polygon& p = scene_.polygons[polygon];
-  const Vec3 n = polygon_normal(scene_, p);
-  const auto coarse = [](double x) { return static_cast<int>(std::lround(x * 1000)); };
-  return {position_of_vertex_[p.corners[corner]],
-          body_of(scene_, p),
-          side,
-          {coarse(n.x), coarse(n.y), coarse(n.z)}};
-}
-
 // Neighbours in one plane share their corners, so that light is continuous across them.
 uint32_t MeshBuilder::corner_vertex(uint32_t polygon, uint32_t side, int corner) {
-  const auto [it, added] =
-      corners_.try_emplace(corner_key(polygon, side, corner), static_cast<uint32_t>(mesh_.vertices.size()));
+  const auto [it, added] = corners_.try_emplace(joints_.corner(polygon, side, corner),
+                                                static_cast<uint32_t>(mesh_.vertices.size()));
   if (added) add_corner(polygon, mesh_.face_of_side[2 * polygon + side], corner);
   return it->second;
 }

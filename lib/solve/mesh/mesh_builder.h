@@ -7,6 +7,7 @@
 
 #include "scene/scene.h"
 #include "solution/mesh.h"
+#include "solve/mesh/polygon_joints.h"
 
 namespace strad {
 
@@ -53,23 +54,12 @@ class MeshBuilder {
   Mesh take() { return std::move(mesh_); }
 
  private:
-  struct CornerKey {
-    uint32_t position, body, side;
-    int normal[3];
-    bool operator==(const CornerKey&) const = default;
-  };
-  struct CornerHash {
-    size_t operator()(const CornerKey& key) const;
-  };
-  CornerKey corner_key(uint32_t polygon, uint32_t side, int corner) const;
   uint32_t begin_face(uint32_t polygon, uint32_t side);
   uint32_t add_face(uint32_t polygon, uint32_t side);
   void add_uniform_face(uint32_t polygon, uint32_t side);
   void add_undivided_face(uint32_t polygon, uint32_t side);
   uint32_t corner_vertex(uint32_t polygon, uint32_t side, int corner);
   uint32_t add_corner(uint32_t polygon, uint32_t face, int corner);
-  std::vector<bool> curved_polygons(double small) const;
-  bool continues(uint32_t polygon, uint32_t other) const;
   uint32_t add_vertex(MeshVertex vertex, uint32_t element);
   uint32_t edge_middle(uint32_t a, uint32_t b, uint32_t element);
   uint32_t add_element(const Element& element, uint32_t face, uint32_t parent);
@@ -83,8 +73,8 @@ class MeshBuilder {
   std::vector<uint32_t> face_of_element_, parent_of_element_, face_of_vertex_;
   std::vector<Vec3> sample_points_;
   std::unordered_map<uint64_t, uint32_t> middle_of_edge_;  // looked up only, never iterated
-  std::vector<uint32_t> position_of_vertex_;  // scene vertex: index of the first at the same place
-  std::unordered_map<CornerKey, uint32_t, CornerHash> corners_;
+  PolygonJoints joints_;
+  std::unordered_map<CornerKey, uint32_t, CornerHash> corners_;  // vertices; looked up only
 };
 
 }  // namespace strad

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../light/light_test_scene.h"
+#include "light/instant.h"
 #include "solve/links/kernel.h"
 
 namespace strad {

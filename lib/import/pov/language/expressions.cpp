@@ -1,22 +1,14 @@
-// POV-Ray's expressions: numbers, vectors, colours, arrays.
+// POV-Ray's expressions: numbers and vectors.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/error.h"
 #include "base/text.h"
+#include "import/pov/language/colours.h"
 #include "import/pov/language/interpreter.h"
 
 namespace strad {
 namespace {
-
-// A number becomes a vector with that number in each part.
-PovNumbers promoted(PovNumbers from, int size) {
-  if (from.size == 1)
-    for (int i = 1; i < size; ++i) from[i] = from[0];
-  from.size = std::max(from.size, size);
-  return from;
-}
 
 template <typename Operation>
 PovNumbers by_parts(const PovNumbers& a, const PovNumbers& b, Operation operation) {
@@ -26,33 +18,6 @@ PovNumbers by_parts(const PovNumbers& a, const PovNumbers& b, Operation operatio
   result.size = size;
   for (int i = 0; i < size; ++i) result[i] = operation(left[i], right[i]);
   return result;
-}
-
-bool starts_colour(std::string_view word) {
-  return is_one_of(word, {"color", "colour", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "srgbf", "srgbt",
-                          "srgbft", "red", "green", "blue", "filter", "transmit"});
-}
-
-// The part of a colour that a word names; 5 if it names none.
-int first_part(std::string_view word) {
-  const std::array<std::string_view, 5> parts{"red", "green", "blue", "filter", "transmit"};
-  return static_cast<int>(std::find(parts.begin(), parts.end(), word) - parts.begin());
-}
-
-double linear_from_srgb_number(double s) {
-  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
-
-// The numbers after rgb, rgbf, rgbt and so on, in the order red, green, blue, filter, transmit.
-PovNumbers colour_from(std::string_view word, PovNumbers from) {
-  const bool srgb = word.starts_with('s');
-  if (srgb) word.remove_prefix(1);
-  from = promoted(from, static_cast<int>(word.size()));
-  if (word == "rgbt" && from.size >= 4) from[4] = from[3], from[3] = 0;
-  if (word == "rgb") from[3] = from[4] = 0;
-  for (int i = 0; i < 3 && srgb; ++i) from[i] = linear_from_srgb_number(from[i]);
-  from.size = 5;
-  return from;
 }
 
 }  // namespace
@@ -102,28 +67,6 @@ PovNumbers PovInterpreter::numbers() {
   return sum();
 }
 
-PovNumbers PovInterpreter::colour_numbers() {
-  if (!take_if("color")) take_if("colour");
-  PovNumbers colour;
-  colour.size = 5;
-  for (bool first = true;; first = false) {
-    const PovToken& token = peek();
-    const bool word = token.kind == PovKind::kWord && starts_colour(token.text);
-    if (!word && !first) return colour;
-    if (!word) {
-      colour = colour_from("rgb", sum());
-      continue;
-    }
-    const std::string kind(take().text);
-    const int part = first_part(kind);
-    if (part < 5) {
-      colour[part] = sum()[0];
-    } else if (kind != "color" && kind != "colour") {
-      colour = colour_from(kind, sum());
-    }
-  }
-}
-
 double PovInterpreter::number() {
   const PovPlace at = place();
   const PovNumbers found = numbers();
@@ -153,17 +96,6 @@ Vec3 PovInterpreter::vector() {
 Vec2 PovInterpreter::vector2() {
   const PovNumbers found = promoted(numbers(), 2);
   return {found[0], found[1]};
-}
-
-Rgb PovInterpreter::colour() {
-  const PovPlace at = place();
-  const PovNumbers found = promoted(numbers(), 3);
-  if (found.size >= 4 && (found[3] != 0 || found[4] != 0))
-    refuse({"transparency of a colour", at}, options_, report_);
-  Rgb rgb;
-  for (int i = 0; i < 3; ++i) rgb[i] = static_cast<float>(found[i]);
-  if (!is_finite(rgb)) fail_at(at.file, at.line, "a colour is not finite");
-  return rgb;
 }
 
 PovNumbers PovInterpreter::logical() {
@@ -231,15 +163,16 @@ PovNumbers PovInterpreter::postfix() {
     take();
     constexpr std::string_view kAxes = "xyzt";
     const PovToken token = take();
-    const int colour_part = first_part(token.text);
-    size_t part = token.text.size() == 1 ? kAxes.find(token.text[0])
-                  : colour_part < 5      ? colour_part
-                                         : kAxes.npos;
+    const int of_colour = colour_part(token.text);
+    size_t part = token.text.size() == 1     ? kAxes.find(token.text[0])
+                  : of_colour < kColourParts ? of_colour
+                                             : kAxes.npos;
     if (token.text == "u" || token.text == "v") part = token.text == "v";
     if (token.text == "gray") {
       found = number_of(0.297 * found[0] + 0.589 * found[1] + 0.114 * found[2]);
     } else {
-      if (part > 4) fail("found ." + std::string(token.text) + ", expected a part such as .x or .red");
+      if (part >= kColourParts)
+        fail("found ." + std::string(token.text) + ", expected a part such as .x or .red");
       found = number_of(found[static_cast<int>(part)]);
     }
   }
@@ -298,81 +231,6 @@ PovNumbers PovInterpreter::vector_literal() {
   }
   if (found.size < 2) fail("a vector has " + std::to_string(found.size) + " numbers, expected 2 to 5");
   return found;
-}
-
-const PovValue* PovInterpreter::sample_of(const PovValue* value) {
-  while (value && std::holds_alternative<std::shared_ptr<PovArray>>(*value)) {
-    const auto& items = std::get<std::shared_ptr<PovArray>>(*value)->items;
-    const auto filled =
-        std::find_if(items.begin(), items.end(), [](const auto& item) { return item.has_value(); });
-    if (filled == items.end()) break;
-    value = &**filled;
-  }
-  return value;
-}
-
-size_t PovInterpreter::indices_into(const PovArray& array, const std::string& name) {
-  size_t index = 0;
-  for (const size_t size : array.sizes) {
-    expect("[");
-    const double at = number();
-    if (!(at >= 0 && at < static_cast<double>(size)))
-      fail("index " + std::to_string(at) + " of the array " + name + ", expected 0 to " +
-           std::to_string(size - 1));
-    index = index * size + static_cast<size_t>(at);
-    expect("]");
-  }
-  return index;
-}
-
-PovValue PovInterpreter::take_named() {
-  const std::string name(take().text);
-  PovValue found = *find(name);
-  while (std::holds_alternative<std::shared_ptr<PovArray>>(found) && next_is_plainly("[")) {
-    const auto array = std::get<std::shared_ptr<PovArray>>(found);
-    const size_t index = indices_into(*array, name);
-    if (!array->items[index]) fail("an element of the array " + name + " is used before it is declared");
-    found = *array->items[index];
-  }
-  return found;
-}
-
-PovValue PovInterpreter::array_value() {
-  constexpr double kMostItems = 1e8;
-  constexpr size_t kMaxDimensions = 5;  // as in POV-Ray
-  auto array = std::make_shared<PovArray>();
-  double count = 1;
-  while (next_is_plainly("[")) {
-    take();
-    const double size = number();
-    count *= size;
-    if (!(size >= 1 && count <= kMostItems)) fail("the array has " + std::to_string(count) + " elements");
-    array->sizes.push_back(static_cast<size_t>(size));
-    if (array->sizes.size() > kMaxDimensions) fail("the array has more than 5 dimensions");
-    expect("]");
-  }
-  if (array->sizes.empty()) fail_expected("[");
-  if (next_is_plainly("{")) {
-    size_t next = 0;
-    fill_array(array.get(), 0, &next);
-  }
-  array->items.resize(static_cast<size_t>(count));
-  return array;
-}
-
-// Items are appended as they are read, so that a false count takes no memory.
-void PovInterpreter::fill_array(PovArray* array, size_t dimension, size_t* next) {
-  expect("{");
-  for (size_t i = 0; i < array->sizes[dimension]; ++i) {
-    if (dimension + 1 < array->sizes.size()) {
-      fill_array(array, dimension + 1, next);
-    } else {
-      array->items.push_back(value());
-      ++*next;
-    }
-    skip_comma();
-  }
-  expect("}");
 }
 
 std::string PovInterpreter::string() {

@@ -102,7 +102,7 @@ class PovInterpreter {
   const PovValue* find(std::string_view name) const;
   void declare(const std::string& name, PovValue value, bool local);
 
-  // Directives, in directives.cpp.
+  // Directives, in directives.cpp; those that choose and repeat, in blocks.cpp.
   void obey();
   void obey_declare(bool local);
   void obey_if(bool known);
@@ -121,7 +121,7 @@ class PovInterpreter {
   void declare_element(const std::string& name);
   std::string found_include(const std::string& name) const;
 
-  // Expressions, in expressions.cpp.
+  // Expressions, in expressions.cpp; names and arrays, in arrays.cpp; colours, in colours.cpp.
   PovValue value();  // anything that can be declared
   bool truth();      // whether the number in parentheses that follows is not 0
   // The first element of an array, or of the arrays in it; anything but an array as it is.

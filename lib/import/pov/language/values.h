@@ -45,6 +45,14 @@ inline PovNumbers number_of(double value) {
   return numbers;
 }
 
+// A number becomes a vector with that number in each part.
+inline PovNumbers promoted(PovNumbers from, int size) {
+  if (from.size == 1)
+    for (int i = 1; i < size; ++i) from[i] = from[0];
+  if (from.size < size) from.size = size;
+  return from;
+}
+
 struct PovMacro {
   std::shared_ptr<const PovFile> file;
   size_t body = 0;  // first token

@@ -1,0 +1,95 @@
+// POV-Ray's arrays, and names that may stand for them.
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "import/pov/language/interpreter.h"
+
+namespace strad {
+
+const PovValue* PovInterpreter::sample_of(const PovValue* value) {
+  while (value && std::holds_alternative<std::shared_ptr<PovArray>>(*value)) {
+    const auto& items = std::get<std::shared_ptr<PovArray>>(*value)->items;
+    const auto filled =
+        std::find_if(items.begin(), items.end(), [](const auto& item) { return item.has_value(); });
+    if (filled == items.end()) break;
+    value = &**filled;
+  }
+  return value;
+}
+
+size_t PovInterpreter::indices_into(const PovArray& array, const std::string& name) {
+  size_t index = 0;
+  for (const size_t size : array.sizes) {
+    expect("[");
+    const double at = number();
+    if (!(at >= 0 && at < static_cast<double>(size)))
+      fail("index " + std::to_string(at) + " of the array " + name + ", expected 0 to " +
+           std::to_string(size - 1));
+    index = index * size + static_cast<size_t>(at);
+    expect("]");
+  }
+  return index;
+}
+
+PovValue PovInterpreter::take_named() {
+  const std::string name(take().text);
+  PovValue found = *find(name);
+  while (std::holds_alternative<std::shared_ptr<PovArray>>(found) && next_is_plainly("[")) {
+    const auto array = std::get<std::shared_ptr<PovArray>>(found);
+    const size_t index = indices_into(*array, name);
+    if (!array->items[index]) fail("an element of the array " + name + " is used before it is declared");
+    found = *array->items[index];
+  }
+  return found;
+}
+
+PovValue PovInterpreter::array_value() {
+  constexpr double kMostItems = 1e8;
+  constexpr size_t kMaxDimensions = 5;  // as in POV-Ray
+  auto array = std::make_shared<PovArray>();
+  double count = 1;
+  while (next_is_plainly("[")) {
+    take();
+    const double size = number();
+    count *= size;
+    if (!(size >= 1 && count <= kMostItems)) fail("the array has " + std::to_string(count) + " elements");
+    array->sizes.push_back(static_cast<size_t>(size));
+    if (array->sizes.size() > kMaxDimensions) fail("the array has more than 5 dimensions");
+    expect("]");
+  }
+  if (array->sizes.empty()) fail_expected("[");
+  if (next_is_plainly("{")) {
+    size_t next = 0;
+    fill_array(array.get(), 0, &next);
+  }
+  array->items.resize(static_cast<size_t>(count));
+  return array;
+}
+
+// Items are appended as they are read, so that a false count takes no memory.
+void PovInterpreter::fill_array(PovArray* array, size_t dimension, size_t* next) {
+  expect("{");
+  for (size_t i = 0; i < array->sizes[dimension]; ++i) {
+    if (dimension + 1 < array->sizes.size()) {
+      fill_array(array, dimension + 1, next);
+    } else {
+      array->items.push_back(value());
+      ++*next;
+    }
+    skip_comma();
+  }
+  expect("}");
+}
+
+void PovInterpreter::declare_element(const std::string& name) {
+  const PovValue* known = find(name);
+  if (!known || !std::holds_alternative<std::shared_ptr<PovArray>>(*known)) fail(name + " is not an array");
+  const auto array = std::get<std::shared_ptr<PovArray>>(*known);
+  const size_t index = indices_into(*array, name);
+  expect("=");
+  array->items[index] = value();
+  if (next_is_plainly(";")) take();
+}
+
+}  // namespace strad
