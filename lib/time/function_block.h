@@ -11,8 +11,8 @@
 
 namespace strad {
 
-// 6 bytes per time sample: each channel is the upper half of a float, rounded to nearest, which keeps 3
-// significant digits of any size. The error of a sum of many values is far smaller.
+// 6 bytes per time sample: each channel is the upper half of a float, rounded to nearest, so its error is at
+// most 1/256 of the value. The error of a sum of many values is far smaller.
 class FunctionBlock {
  public:
   FunctionBlock() = default;

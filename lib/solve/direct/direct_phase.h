@@ -12,16 +12,10 @@
 #include "solve/direct/direct_over_time.h"
 #include "solve/mesh/mesh_builder.h"
 #include "time/field.h"
-#include "time/scaled_function.h"
+#include "time/sparse_function.h"
 #include "time/time_grid.h"
 
 namespace strad {
-
-// Values at the nodes of some cells only: cells ascending, `order` values per cell.
-struct SparseFunction {
-  std::vector<uint32_t> cells;
-  FineFunction values;
-};
 
 struct DirectOptions {
   double largest_element = 0.4;  // m: elements that light may reach are split down to this

@@ -24,12 +24,14 @@ namespace strad {
 constexpr int kLeafRays = 128;
 constexpr float kLeastUnblocked = 0.2f;  // of the view of a leaf: below, its few free rays say too little
 
-struct GatheredFunction {
-  std::vector<Rgb>
-      irradiance;  // W / m^2, at every time sample, scaled up to what a free hemisphere would get
-  std::vector<float>
-      unblocked;  // at every node: share of the view not blocked by unlit surfaces; empty: all of it
+// What the rays of a receiver found at every time sample. `Values`: std::vector<Rgb>, or a ScaledFunction of
+// it.
+template <typename Values>
+struct Gathered {
+  Values irradiance;             // W / m^2, scaled up to what a free hemisphere would get
+  std::vector<float> unblocked;  // share of the view not blocked by unlit surfaces; empty: all of it
 };
+using GatheredFunction = Gathered<std::vector<Rgb>>;
 
 class FinalGather {
  public:

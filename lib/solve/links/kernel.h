@@ -1,6 +1,8 @@
-// The kernel of a link: mean irradiance at the receiver from an emitter of unit radiance, visibility
-// included, at quadrature and control points and instants. Either end may be a patch or a cluster; rays
-// run from surface point to surface point, so the shadows that clusters cast on themselves are part of it.
+// The kernel of a link: mean irradiance at the receiver from an emitter of unit radiance, with visibility.
+//
+// It is sampled at quadrature points and Gauss nodes of time; control points and control instants between
+// them tell its error. Either end may be a patch or a cluster. Rays run from surface point to surface point,
+// so the shadows that clusters cast on themselves are part of it.
 #pragma once
 
 #include <cstdint>
