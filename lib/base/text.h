@@ -1,4 +1,4 @@
-// Text files written by other programs: read whole, checked to be text, and parsed strictly.
+// Text files written by other programs: read, checked to be text, and parsed strictly.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace strad {
 
-// The whole of a file; "-" is standard input. Throws IoError, or BadInput if it is empty, a directory, UTF-16
-// or not text; the message begins with `text_name(path)`. A UTF-8 byte order mark is removed.
+// The content of a file; "-" is standard input. Throws IoError, or BadInput if it is empty, a directory,
+// UTF-16 or not text; the message begins with `text_name(path)`. A UTF-8 byte order mark is removed.
 std::string read_text(const std::string& path);
 
 // What messages call the file: its path, or "standard input".

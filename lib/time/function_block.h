@@ -1,4 +1,4 @@
-// Functions of time of many leaves in one block, which can be filled in any order.
+// Functions of time of many leaves in one array, which can be filled in any order.
 #pragma once
 
 #include <bit>

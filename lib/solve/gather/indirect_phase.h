@@ -1,4 +1,4 @@
-// Indirect light on the mesh: a final gather at vertices, refined in space while it surprises.
+// Indirect light on the mesh: a final gather at its vertices, split where interpolation is not exact enough.
 #pragma once
 
 #include <cstdint>

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/rng.h"
+#include "scene/polygon_geometry.h"
 
 namespace strad {
 namespace {
@@ -26,8 +27,7 @@ struct Quarter {
 
 Quarter finish(Quarter quarter) {
   const Vec3* c = quarter.corners;
-  quarter.area = 0.5 * length(cross(c[1] - c[0], c[2] - c[0]));
-  if (quarter.count == 4) quarter.area += 0.5 * length(cross(c[2] - c[0], c[3] - c[0]));
+  quarter.area = area_of(c, quarter.count);
   for (int i = 0; i < quarter.count; ++i) quarter.centre += c[i] / quarter.count;
   quarter.radius = 0;
   for (int i = 0; i < quarter.count; ++i)
@@ -56,7 +56,7 @@ void quarters_of(const PatchPoints& patch, const Pose& pose, Quarter* quarters) 
 double unoccluded(Vec3 x, Vec3 normal, const Quarter& quarter, Vec3 emitter_normal) {
   const Vec3 to = quarter.centre - x;
   const double distance2 = length2(to);
-  // Beyond 4 radii a point serves: the error falls with the square of the ratio, here below 2 %.
+  // Beyond 4 radii a point is exact enough: the error falls with the square of the ratio, here below 2 %.
   if (distance2 < 16 * quarter.radius * quarter.radius) {
     if (!(dot(x - quarter.centre, emitter_normal) > 0)) return 0;
     return unit_irradiance(x, normal, quarter.corners, quarter.count);
@@ -218,8 +218,8 @@ int emitter_parts(const NodeTree& tree, const Node& q, const Pose& pose, Vec3 to
   return count;
 }
 
-// Irradiance at a point from a part of unit radiance, unoccluded; a disk of its area, which near by gives no
-// more than all of the view.
+// Unoccluded irradiance at a point from a part of unit radiance, as from a disk of its area (Wallace,
+// Elmquist & Haines 1989). So it is never more than that of a full view, however close the part is.
 double from_part(const ReceiverPoint& x, const EmitterPart& part) {
   const Vec3 to = part.position - x.position;
   const double distance2 = length2(to), cos_x = dot(to, x.normal), cos_y = -dot(to, part.normal);
@@ -251,8 +251,8 @@ KernelEvaluator::Means KernelEvaluator::sample_clusters(const Node& p, const Nod
     at_point[i] = 0;
     response += points[i].response / point_count;
     if (!(unoccluded > 1e-7)) continue;
-    // Always the same pairs, those of no exchange left out: visibility must not depend on the time sample but
-    // for what moves.
+    // The same pairs at every time sample, except those without exchange: visibility may change only with
+    // what moves.
     double tested = 0, visible = 0;
     int rays = 0;
     const uint64_t h = hash_of(seed, static_cast<uint64_t>(i));
@@ -293,7 +293,7 @@ KernelEvaluator::Means KernelEvaluator::sample_clusters(const Node& p, const Nod
     const double d = shares[j] / free - (emitted > 0.05 ? parts[j].represented / emitted : 0);
     uneven += part_count * d * d;
   }
-  // Where visibility is partial it is not known which parts are hidden.
+  // If visibility is partial, it is not known which parts are hidden.
   means.emitter_error = means.mean * std::sqrt(uneven + (1 - visible) / visible);
   return means;
 }

@@ -11,12 +11,13 @@
 namespace strad {
 namespace {
 
-// A flat of small faces with more corners a face than this is not much of a flat.
+// Small faces in one plane are treated as one large face if they have no more corners per face than this.
 constexpr double kCornersAFace = 1.25;
-const double kCosCurved = std::cos(30 * kPi / 180);  // of a bend between parts of one curved surface
-constexpr double kLargeFace = 1.0 / 12;              // of the scene's diagonal
+const double kCosCurved =
+    std::cos(30 * kPi / 180);            // of the largest angle between parts of one curved surface
+constexpr double kLargeFace = 1.0 / 12;  // of the scene's diagonal
 
-// For each vertex the first vertex at the same place, so that faces meet where only their positions agree.
+// For each vertex the first vertex at the same place. So faces meet even if the file repeats their vertices.
 std::vector<uint32_t> merged_positions(const std::vector<Vec3>& vertices) {
   std::vector<uint32_t> order(vertices.size()), first(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -104,7 +105,7 @@ bool MeshBuilder::continues(uint32_t polygon, uint32_t other) const {
 }
 
 std::vector<std::vector<uint32_t>> MeshBuilder::curved_neighbours() const {
-  std::unordered_map<uint64_t, uint32_t> waiting;  // of a side's edge, the first face; only looked up
+  std::unordered_map<uint64_t, uint32_t> waiting;  // by edge of a side, the first face; looked up only
   std::vector<std::vector<uint32_t>> neighbours(undivided_faces_);
   const auto is_uniform_face = [&](uint32_t f) { return is_uniform(mesh_.elements[mesh_.faces[f].element]); };
   for (uint32_t f = 0; f < undivided_faces_ && is_uniform_face(f); ++f) {
@@ -126,7 +127,7 @@ std::vector<std::vector<uint32_t>> MeshBuilder::curved_neighbours() const {
   return neighbours;
 }
 
-// Polygons smaller than `small` that continue across half of their edges or more with little of a bend.
+// Polygons smaller than `small` of which at least half the edges lead to a neighbour at a small angle.
 std::vector<bool> MeshBuilder::curved_polygons(double small) const {
   std::unordered_map<uint64_t, uint32_t> first_user;  // of an edge; looked up only, never iterated
   std::vector<int> differences(scene_.polygons.size(), 0);
@@ -152,7 +153,7 @@ void MeshBuilder::add_faces(const std::vector<bool>& reached, double small) {
   const auto is_small = [&](uint32_t side) {
     return reached[side] && longest_edge(scene_, scene_.polygons[side / 2]) < small;
   };
-  // Small sides that share corners in one plane are judged together, or the rim of a flat would differ.
+  // Small sides that share corners in one plane are treated alike. Otherwise those at the rim would differ.
   std::unordered_map<CornerKey, uint32_t, CornerHash> first_user;  // looked up only, never iterated
   DisjointSets flats(sides);
   std::vector<uint32_t> new_corners(sides, 0);
@@ -173,7 +174,7 @@ void MeshBuilder::add_faces(const std::vector<bool>& reached, double small) {
     corners[flats.find(s)] += new_corners[s];
   }
   const std::vector<bool> curved = curved_polygons(small);
-  std::vector<uint32_t> uniform, whole, others;
+  std::vector<uint32_t> uniform, undivided, others;
   for (uint32_t s = 0; s < sides; ++s) {
     if (!reached[s]) continue;
     const uint32_t flat = flats.find(s);
@@ -182,11 +183,11 @@ void MeshBuilder::add_faces(const std::vector<bool>& reached, double small) {
     } else if (curved[s / 2] || longest_edge(scene_, scene_.polygons[s / 2]) < small / 2) {
       uniform.push_back(s);
     } else {
-      whole.push_back(s);
+      undivided.push_back(s);
     }
   }
   for (const uint32_t s : uniform) add_uniform_face(s / 2, s % 2);
-  for (const uint32_t s : whole) add_undivided_face(s / 2, s % 2);
+  for (const uint32_t s : undivided) add_undivided_face(s / 2, s % 2);
   undivided_faces_ = static_cast<uint32_t>(mesh_.faces.size());
   undivided_vertices_ = static_cast<uint32_t>(mesh_.vertices.size());
   for (const uint32_t s : others) add_face(s / 2, s % 2);
@@ -233,8 +234,8 @@ Vec3 MeshBuilder::centre_of(uint32_t element) const {
 }
 
 uint32_t MeshBuilder::add_vertex(MeshVertex vertex, uint32_t element) {
-  // 2 % of the element inwards keeps clear of walls that the edge touches, and is less than light can
-  // resolve.
+  // 2 % of the element inwards is clear of walls that the edge touches, and makes no visible difference to
+  // light.
   sample_points_.push_back(lerp(vertex.position, centre_of(element), 0.02));
   face_of_vertex_.push_back(face_of_element_[element]);
   mesh_.vertices.push_back(vertex);
