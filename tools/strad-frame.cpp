@@ -89,7 +89,7 @@ FrameTool parse_options(int argc, char** argv) {
                  "direct light by shadow rays, or from the solution (default pixel)");
   options.flag("--flat", &request.raster.flat, "show the elements of the solution as they are");
   options.integer("--reference", "N", &tool.reference,
-                  "trace N paths a pixel and leave the solution aside: slow, noisy, unbiased");
+                  "trace N paths per pixel and leave the solution aside: slow, noisy, unbiased");
   options.integer("--seed", "S", &tool.seed, "of the noise of --reference (default 0)");
   options.choice("--show", {"elements", "error", "openness"}, &tool.show,
                  "in place of light, the mesh, its error, or how open surfaces are");

@@ -1,4 +1,5 @@
-// Compiles a motion file onto a scene stream: bodies, spotlights, glows, cameras, interval and rate.
+// strad-motion: compiles a motion file onto a scene stream: bodies, spotlights, glows, cameras, interval and
+// rate.
 #include "base/text.h"
 #include "scene/motion_text.h"
 #include "solution/slab_work.h"

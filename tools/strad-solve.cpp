@@ -1,4 +1,4 @@
-// The space-time solve: adds the light of the whole animation to the stream.
+// strad-solve: solves light transport for an animation and adds the solution to the stream.
 #include "solution/slab_work.h"
 #include "solve/links/link_counts.h"
 #include "solve/solve.h"

@@ -1,4 +1,4 @@
-// Options of a command line: the only user of CLI11, which finds the options; their values are read here.
+// Options of a command line. The only user of CLI11, which finds the options; their values are parsed here.
 #include "tool_options.h"
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// Options of a command line, strictly read. Errors become one line and exit status 2.
+// Options of a command line, read strictly. An error ends the tool with one line and exit status 2.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace strad {
 
-// What every tool has. `--help` and `--version` are there for all; the rest where asked for.
+// Options that tools share. -o and -j exist only where they are declared.
 struct Common {
   bool quiet = false;    // -q, --quiet: no progress, no notes
   bool verbose = false;  // -v, --verbose
@@ -18,8 +18,9 @@ struct Common {
   int jobs = 0;          // -j, --jobs N; 0: all cores
 };
 
-// Declares options, then parses. `names` as "-e,--error"; `value` names the value in the help, as "E". The
-// variable keeps its default when the option is absent; the last of a repeated option wins, lists gather all.
+// Options are declared, then parsed. `names`: such as "-e,--error". `value`: the name of the value in the
+// help, such as "E". If an option is absent, its variable keeps its value. If an option is given several
+// times, the last one counts; lists take all.
 class Options {
  public:
   // Adds -h, --version, -q and -v. `about`: one sentence.
@@ -40,7 +41,7 @@ class Options {
   void integer(const std::string& names, const std::string& value, int* variable, const std::string& help);
   void integer(const std::string& names, const std::string& value, std::optional<int>* variable,
                const std::string& help);
-  // One of `words`.
+  // The value must be one of `words`.
   void choice(const std::string& names, const std::vector<std::string>& words, std::string* variable,
               const std::string& help);
 
@@ -49,7 +50,8 @@ class Options {
   void files(const std::string& value, std::vector<std::string>* variable, const std::string& help,
              bool required = false);
 
-  // The option does not touch the result: it is left out of the provenance, as -j, -o, -q and -v are.
+  // Leaves an option out of the provenance, because it does not change the result. -j, -o, -q and -v are left
+  // out anyway.
   void unrecorded(const std::string& name, bool has_value);
 
   // Throws BadInput. --help and --version print and throw Finished, which run_tool turns into exit status 0.
@@ -64,7 +66,7 @@ class Options {
   std::unique_ptr<State> state_;
 };
 
-// Thrown where nothing is left to do.
+// Thrown after --help and --version: nothing is left to do.
 struct Finished {};
 
 }  // namespace strad

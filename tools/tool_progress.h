@@ -1,4 +1,4 @@
-// What is told on standard error of work that goes on: a bar on a terminal, or a line a step with -v.
+// Progress on standard error: a bar on a terminal, or with -v a line per step.
 #pragma once
 
 #include "base/progress.h"

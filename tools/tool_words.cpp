@@ -15,7 +15,7 @@ bool read_all(std::string_view text, Number* number) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-// A word as a shell would take it back.
+// A word, quoted so that a shell reads it as one word.
 std::string quoted(const std::string& word) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+,./:@%^";

@@ -1,4 +1,4 @@
-// The words of a command line: numbers strictly read, and the whole line as it is recorded.
+// The words of a command line: numbers, read strictly, and the line as it is recorded.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ std::vector<std::string> split(std::string_view text, char separator);
 
 [[noreturn]] void fail_option(const std::string& what, std::string_view found, const std::string& expected);
 
-// An option that does not touch the result, such as -j, and is left out of the record.
+// An option that does not change the result, such as -j, and is left out of the record.
 struct Unrecorded {
   std::string name;
   bool has_value;

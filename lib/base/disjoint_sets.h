@@ -1,4 +1,4 @@
-// Disjoint sets that are joined step by step: which things are connected.
+// Disjoint sets that are joined step by step (Galler & Fischer 1964): which things are connected.
 #pragma once
 
 #include <algorithm>

@@ -120,6 +120,13 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+std::string single_spaced(std::string_view text) {
+  std::string words;
+  for (std::string_view word = next_word(&text); !word.empty(); word = next_word(&text))
+    words.append(words.empty() ? "" : " ").append(word);
+  return words;
+}
+
 std::string_view LineReader::take_physical() {
   const size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
   const std::string_view line = rest_.substr(0, end);

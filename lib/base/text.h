@@ -1,4 +1,4 @@
-// Text files written by other programs: read whole, checked to be text, and parsed strictly.
+// Text files written by other programs: read, checked to be text, and parsed strictly.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace strad {
 
-// The whole of a file; "-" is standard input. Throws IoError, or BadInput if it is empty, a directory, UTF-16
-// or not text; the message begins with `text_name(path)`. A UTF-8 byte order mark is removed.
+// The content of a file; "-" is standard input. Throws IoError, or BadInput if it is empty, a directory,
+// UTF-16 or not text; the message begins with `text_name(path)`. A UTF-8 byte order mark is removed.
 std::string read_text(const std::string& path);
 
 // What messages call the file: its path, or "standard input".
@@ -35,6 +35,8 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
 // Removes the next word from the front of `rest` and returns it; empty at the end. Blanks separate words.
 std::string_view next_word(std::string_view* rest);
 std::string_view trimmed(std::string_view text);
+// The words of `text`, separated by single blanks: a name that may hold blanks.
+std::string single_spaced(std::string_view text);
 
 // The lines of a text, which end with LF, CR LF or CR. A line that ends with a backslash is continued by the
 // next one, unless it is a comment (#).

@@ -6,15 +6,15 @@
 namespace strad {
 namespace {
 
-constexpr int kDates = 8;  // at which the mean irradiance and the shape of quads are looked at
-// Fractions of the mean irradiance, over all surfaces and dates. What is left out shows as 0.1 to 0.2 % in
-// pictures.
+constexpr int kInstants = 8;  // at which the mean irradiance and the twist of quads are measured
+// Tolerances as fractions of the mean irradiance over all surfaces and instants. Pictures differ by 0.1 to
+// 0.2 % from those with all leaves.
 constexpr float kSurplus = 0.01f;  // a vertex that differs less from the mean of its parents is left out
 constexpr float kTwist = 0.01f;    // tolerated error in the middle of a quad
 
 float largest(Rgb a) { return max_channel({std::abs(a.r), std::abs(a.g), std::abs(a.b)}); }
 
-// By how much each vertex ever differs from the mean of its parents.
+// Adds the largest surplus over time of each vertex: how far it differs from the mean of its parents.
 void add_surplus(const Field& field, std::vector<float>* surplus) {
   const auto order = static_cast<uint32_t>(field.order);
   for (uint32_t v = 0; v < field.row_count(); ++v) {
@@ -33,7 +33,7 @@ double area_of(const Mesh& mesh, const Element& e) {
   return length(doubled) / 2;
 }
 
-// Over the area of all leaves; of the strongest channel.
+// The mean over the area of all leaves, of the largest channel.
 float mean_irradiance(const Mesh& mesh, const VertexLight& light) {
   double sum = 0, area = 0;
   for (const Element& e : mesh.elements) {
@@ -54,26 +54,26 @@ ExportLeaves::ExportLeaves(const Slab& slab, ExportLight light)
       split_(mesh_.elements.size(), false),
       twisted_(mesh_.elements.size(), false),
       users_(mesh_.vertices.size(), 0) {
-  std::vector<VertexLight> dates;
+  std::vector<VertexLight> lights;
   float mean = 0;
-  for (int i = 0; i < kDates; ++i) {
-    const double s = (i + 0.5) / kDates;
-    dates.push_back(light_at(slab, slab_begin(slab) + s * (slab_end(slab) - slab_begin(slab))));
-    mean += mean_irradiance(mesh_, dates.back()) / kDates;
+  for (int i = 0; i < kInstants; ++i) {
+    const double s = (i + 0.5) / kInstants;
+    lights.push_back(light_at(slab, slab_begin(slab) + s * (slab_end(slab) - slab_begin(slab))));
+    mean += mean_irradiance(mesh_, lights.back()) / kInstants;
   }
   std::vector<float> surplus(mesh_.vertices.size(), 0.0f);
   add_surplus(slab.indirect, &surplus);
   if (light == ExportLight::kAll) add_surplus(slab.direct, &surplus);
   mark_split(surplus, kSurplus * mean);
   for (const Face& face : mesh_.faces) mark_used(face.element);
-  for (const VertexLight& at : dates) {
+  for (const VertexLight& at : lights) {
     mark_twisted(at.indirect, kTwist * mean);
     if (light == ExportLight::kAll) mark_twisted(at.direct, kTwist * mean);
   }
 }
 
-// An element stays split when one of the vertices that this adds matters, or a child stays split. Children
-// come after their parents.
+// An element stays split if one of the vertices added by its split has a surplus above the tolerance, or if
+// one of its children stays split. Children have higher indices than their parents.
 void ExportLeaves::mark_split(const std::vector<float>& surplus, float tolerance) {
   for (size_t e = mesh_.elements.size(); e-- > 0;) {
     const uint32_t children = mesh_.elements[e].first_child;
@@ -91,7 +91,7 @@ void ExportLeaves::mark_split(const std::vector<float>& surplus, float tolerance
   }
 }
 
-// Notes the vertices of shown leaves that lie in the middle of an edge.
+// Counts the exported leaves at each vertex, and notes which of their vertices are middles of edges.
 void ExportLeaves::mark_used(uint32_t element) {
   const Element& e = mesh_.elements[element];
   if (split_[element]) {
@@ -129,7 +129,7 @@ std::vector<uint32_t> ExportLeaves::outline(uint32_t element) const {
   return vertices;
 }
 
-// The edge from a up to, but without, b.
+// Appends the vertices on the edge from a to b: a and those between, not b.
 void ExportLeaves::add_edge(uint32_t a, uint32_t b, std::vector<uint32_t>* vertices) const {
   const auto middle = middle_of_edge_.find(edge_key(a, b));
   if (middle == middle_of_edge_.end()) return vertices->push_back(a);

@@ -1,5 +1,5 @@
-// The leaves of the solution's mesh that its pictures need. The solver refines for all light at all times,
-// and more than the eye does; an export can leave out what would not show in it.
+// The leaves of the solution's mesh that an export needs. The solver refines the mesh more finely than shows
+// in pictures, so an export merges the children of an element where this makes no visible difference.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ class ExportLeaves {
  public:
   ExportLeaves(const Slab& slab, ExportLight light);  // keeps a reference
 
-  // True for elements that are shown whole; the elements below are not.
+  // Whether `element` is exported in one piece. REQUIRES: it is not below an exported element.
   bool is_leaf(uint32_t element) const { return !split_[element]; }
   // Corners of a leaf and the vertices of smaller leaves on its edges, in order.
   std::vector<uint32_t> outline(uint32_t element) const;
-  // Two triangles would show a quad wrongly: at its centre, too far from the mean of its corners.
+  // Whether a quad drawn as two triangles would be too far off at its centre from the mean of its corners.
   bool twisted(uint32_t element) const { return twisted_[element]; }
-  // No other leaf has any of its corners.
+  // Whether no other exported leaf shares a corner with `element`.
   bool alone(uint32_t element) const;
 
  private:
@@ -33,8 +33,8 @@ class ExportLeaves {
 
   const Mesh& mesh_;
   std::vector<bool> split_, twisted_;                      // per element
-  std::vector<uint32_t> users_;                            // leaves that have it, per vertex
-  std::unordered_map<uint64_t, uint32_t> middle_of_edge_;  // of used vertices; looked up only, never iterated
+  std::vector<uint32_t> users_;                            // number of exported leaves at it, per vertex
+  std::unordered_map<uint64_t, uint32_t> middle_of_edge_;  // of vertices of exported leaves; looked up only
 };
 
 }  // namespace strad

@@ -11,7 +11,7 @@
 namespace strad {
 namespace {
 
-// A point of a leaf: vertices that it lies between, and its place on the polygon.
+// A point of a leaf: the vertices from whose values it is interpolated, and its position at rest.
 struct LeafPoint {
   std::array<uint32_t, 4> vertices{kNone, kNone, kNone, kNone};
   std::array<float, 4> weights{};
@@ -28,7 +28,7 @@ LeafPoint mean_of(const Mesh& mesh, const uint32_t* vertices, int count) {
   return point;
 }
 
-// At (u, v) of a quad.
+// The point at (u, v) of a quad.
 LeafPoint between(const Mesh& mesh, const uint32_t* vertices, double u, double v) {
   const double weights[4] = {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
   LeafPoint point;
@@ -40,11 +40,11 @@ LeafPoint between(const Mesh& mesh, const uint32_t* vertices, double u, double v
   return point;
 }
 
-// What makes two corners one.
+// All data of a corner: corners with equal keys are merged.
 using CornerKey = std::tuple<std::array<uint32_t, 4>, std::array<float, 4>, double, double, double, uint32_t,
                              bool, bool, double, double>;
 
-// The corners and triangles of one body as they are added.
+// Gathers the corners and triangles of one body.
 class BodyBuilder {
  public:
   BodyBuilder(const Scene& scene, double lift) : scene_(scene), lift_(lift) {}
@@ -60,7 +60,7 @@ class BodyBuilder {
     }
   }
 
-  // Corners ordered by material, so that a writer can give each material a range.
+  // The body with its corners ordered by material, so that each material has one range of them.
   ExportBody take(uint32_t body) {
     body_.body = body;
     std::vector<uint32_t> order(body_.corners.size()), rank(order.size());
@@ -114,7 +114,8 @@ class BodyBuilder {
   std::map<CornerKey, uint32_t> index_of_;
 };
 
-// A quad in quarters, each about its centre: a sixteenth of the error of two triangles.
+// Adds a quad as four quarters, each a fan of triangles about its centre. This has a sixteenth of the error
+// of two triangles.
 void add_quarters(const Mesh& mesh, const uint32_t* vertices, const Face& face, bool lifted,
                   BodyBuilder* body) {
   for (const double u : {0.25, 0.75})
@@ -126,7 +127,7 @@ void add_quarters(const Mesh& mesh, const uint32_t* vertices, const Face& face, 
     }
 }
 
-// Adds the leaves below `element`.
+// Adds the exported leaves below `element`, or the element itself if it is one.
 void add_leaves(const Scene& scene, const Mesh& mesh, const ExportLeaves& leaves, uint32_t element,
                 const Face& face, bool lifted, BodyBuilder* body) {
   const Element& e = mesh.elements[element];
@@ -153,7 +154,7 @@ void add_leaves(const Scene& scene, const Mesh& mesh, const ExportLeaves& leaves
   body->add_fan(face.polygon, face.side, lifted, points);
 }
 
-// The front of a polygon that no light reaches.
+// Adds the front of a polygon that no light reaches.
 void add_dark(const Scene& scene, uint32_t polygon, BodyBuilder* body) {
   std::vector<LeafPoint> points;
   for (int i = 0; i < scene.polygons[polygon].corner_count(); ++i) {

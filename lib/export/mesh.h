@@ -1,5 +1,4 @@
-// The solution's surfaces as triangles with light at their corners: what the exports for other programs
-// share.
+// The solution's surfaces as triangles with light at their corners, for all exports to other programs.
 #pragma once
 
 #include <array>
@@ -13,10 +12,10 @@
 
 namespace strad {
 
-// A point of one side of one material, and where its light comes from.
+// A corner of triangles: a point of a surface, and the vertices of the solution's mesh that give its light.
 struct ExportCorner {
   Vec3 position;  // rest, m
-  // Of the slab's mesh; the corner's irradiance is the weighted sum of theirs, 0 of none.
+  // In the slab's mesh. The irradiance at the corner is the weighted sum of theirs, or 0 where there is none.
   std::array<uint32_t, 4> vertices{kNone, kNone, kNone, kNone};
   std::array<float, 4> weights{};
   uint32_t material = 0;
@@ -25,24 +24,26 @@ struct ExportCorner {
   Vec2 uv;  // where textured
 };
 
-// The visible sides of all polygons that move as one.
+// The sides of all polygons of one rigid body that can be seen.
 struct ExportBody {
   uint32_t body = 0;
-  std::vector<ExportCorner> corners;               // ordered by material, then those without texture first
-  std::vector<std::array<uint32_t, 3>> triangles;  // of corners, counter-clockwise seen from the lit side
+  std::vector<ExportCorner> corners;  // ordered by material; of one material, first those without texture
+  std::vector<std::array<uint32_t, 3>>
+      triangles;  // indices of corners, counter-clockwise seen from the side shown
 };
 
-// Bodies in their order, without those that have no polygons. Leaves that smaller leaves touch are cut about
-// their centre so that no edge has a corner in its middle; so are quads that two triangles would show
-// wrongly, those that share no corners into quarters first. Both sides of a polygon are given when its back
-// is lit too, the back lifted by export_lift.
+// The bodies that have polygons, in order. A leaf with smaller leaves at its edges becomes a fan of triangles
+// about its centre, so that no edge has a corner in its middle (a T-junction). A quad that two triangles
+// would show wrongly becomes such a fan too, or four fans where it shares no corners with other leaves. If
+// light also reaches the back of a polygon, both sides are given, and the back is moved off the front by
+// export_lift.
 std::vector<ExportBody> export_mesh(const Scene& scene, const Slab& slab, ExportLight light);
 
-// m: 2e-6 of the scene's diagonal. Between the two sides of a polygon, and between a lamp and the polygon it
-// stands for: more than rounding, less than shows.
+// The distance in metres between the two sides of a polygon, and between a lamp and the polygon it stands
+// for: 2e-6 of the scene's diagonal. This is more than rounding errors, and too little to be seen.
 double export_lift(const Scene& scene);
 
-// What a corner receives, W / m^2.
+// Irradiance at a corner, W / m^2.
 Rgb corner_irradiance(const ExportCorner& corner, const std::vector<Rgb>& vertex_irradiance);
 
 }  // namespace strad

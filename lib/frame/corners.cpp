@@ -5,12 +5,14 @@
 namespace strad {
 namespace {
 
-// Shadow rays of a corner to each emitter group at first: with those of its neighbours 36, few enough to pay
-// and enough to miss no shadow that matters.
+// Shadow rays that a corner sends to each emitter group at first. With those of its eight neighbours they are
+// 36, enough to find every shadow that matters.
 constexpr uint32_t kFirstRays = 4;
-// Free fractions of a pixel and around it differ by noise alone up to this, twice the noise of 64 rays.
+// Up to this difference, the free fractions in a pixel and around it are taken to differ by noise alone:
+// twice the noise of 64 rays.
 constexpr float kSmoothShadow = 0.04f;
-// Free fractions so far apart within a pixel mean an edge.
+// If the free fractions at the corners of a pixel differ by more than this, the edge of a shadow passes
+// there.
 constexpr float kSharpShadow = 0.5f;
 
 }  // namespace
@@ -21,8 +23,8 @@ uint32_t interleaved_set(int x, int y) {
 }
 
 Corners::Corners(const FrameView& view, TileRect rect) : view_(view), groups_(view.group_count) {
-  // Shadows of emitter groups look at one corner more around each pixel, whose own refinement looks at one
-  // more.
+  // The shadow of an emitter group is averaged over the corners of a pixel and those next to them. Whether
+  // these get more rays depends on their own neighbours.
   const int margin = groups_ > 0 ? 2 : 0;
   left_ = static_cast<int>(rect.left) - margin;
   top_ = static_cast<int>(rect.top) - margin;
@@ -45,7 +47,7 @@ void Corners::take_samples() {
   }
 }
 
-// Have all rays to the light from the corner and those around it the same fate?
+// Are all rays to the emitter group from the corner and its eight neighbours free, or all blocked?
 bool Corners::neighbours_agree(int x, int y, size_t light) const {
   bool any_free = false, any_blocked = false;
   for (int v = y - 1; v <= y + 1; ++v) {
@@ -58,7 +60,8 @@ bool Corners::neighbours_agree(int x, int y, size_t light) const {
   return !(any_free && any_blocked);
 }
 
-// Decides for all corners from their first rays, then adds rays, so that no order matters.
+// First finds the corners that need more rays, from the first rays of all, and only then adds rays. So the
+// order of the corners does not matter.
 void Corners::refine_shadows() {
   struct Uneven {
     int x, y;
@@ -95,7 +98,7 @@ bool Corners::all_even_around(int x, int y) const {
   return true;
 }
 
-// Does a shadow of an emitter group begin and end within the pixel?
+// Does the edge of an emitter group's shadow cross the pixel, from light to shadow within it?
 bool Corners::shadow_edge(int x, int y) const {
   for (size_t l = 0; l < groups_; ++l) {
     float low = 1, high = 0;
@@ -108,15 +111,15 @@ bool Corners::shadow_edge(int x, int y) const {
   return false;
 }
 
-// Free fraction of a light over a pixel: from all 16 corners around it where that differs from the pixel's
-// own four by no more than their noise, else from those four.
+// Visible fraction of an emitter group in a pixel: the mean over the 16 corners around it if that differs
+// from the mean over its own four corners by no more than noise, else the latter.
 float Corners::visible(int x, int y, size_t light) const {
   ShadowRays near, wide;
   const auto add = [](const ShadowRays& from, ShadowRays* to) { to->seen += from.seen, to->all += from.all; };
   for (int v = y - 1; v <= y + 2; ++v) {
     for (int u = x - 1; u <= x + 2; ++u) {
       const ShadowRays& shadow = shares(u, v)[light].shadow;
-      // Each corner counts the same, however many rays it sent.
+      // Each corner has the same weight, however many rays it sent.
       const ShadowRays one{free_fraction(shadow), shadow.all > 0 ? 1.0f : 0.0f, 0, 0};
       const bool inner = u >= x && u <= x + 1 && v >= y && v <= y + 1;
       if (inner) add(one, &near);
@@ -128,7 +131,7 @@ float Corners::visible(int x, int y, size_t light) const {
   return around + blend * (own - around);
 }
 
-// What emitter groups bring to a pixel, the mean of its corners.
+// Radiance of a pixel from emitter groups: the mean over its corners.
 Rgb Corners::emitted_light(int x, int y) const {
   if (groups_ == 0) return {};
   const bool even = all_even_around(x, y);

@@ -1,4 +1,4 @@
-// Samples at the corners of pixels, which neighbouring pixels share, and what follows from them for a pixel.
+// Samples at the corners of pixels, which neighbouring pixels share.
 #pragma once
 
 #include <cstdint>
@@ -9,37 +9,38 @@
 namespace strad {
 
 struct TileRect {
-  uint32_t left, top, right, bottom;  // pixels, right and bottom beyond the last
+  uint32_t left, top, right, bottom;  // pixels; right and bottom are one beyond the last
 };
 
-// Shadow rays of a corner to each emitter group where it or its neighbours disagree: 256 with those of the
-// corners around a pixel.
+// Shadow rays that a corner sends to an emitter group where some rays of it or its neighbours are free and
+// some are blocked. The 16 corners around a pixel have 256 together.
 constexpr uint32_t kPenumbraRays = 16;
 
-// Which of 16 sets of kPenumbraRays points on the lights a corner uses: the 4 x 4 corners around a pixel use
-// all.
+// Which of 16 sets of kPenumbraRays points on the emitters a corner uses. The 4 x 4 corners around a pixel
+// use each set once (interleaved sampling, Keller & Heidrich 2001).
 uint32_t interleaved_set(int x, int y);
 
-// Corner (x, y) is the upper left one of pixel (x, y).
+// Corner (x, y) is the upper left corner of pixel (x, y).
 class Corners {
  public:
-  // Of all pixels of `rect` and as far around them as their shadows ask for, at the first instant.
+  // Takes samples at the corners of all pixels of `rect`, and around them as far as shadows need, at the
+  // first instant of `view`.
   Corners(const FrameView& view, TileRect rect);
 
   const Sample& sample(int x, int y) const { return corners_[index(x, y)].sample; }
   const GroupShare* shares(int x, int y) const { return shares_.data() + index(x, y) * groups_; }
 
-  // Of pixel (x, y): do its corners see one smooth surface under the same spots?
+  // Do the corners of pixel (x, y) see one smooth surface under the same spotlights?
   bool surround_one_surface(int x, int y) const;
-  // Does a shadow of an emitter group begin and end within it?
+  // Does the edge of an emitter group's shadow cross it?
   bool shadow_edge(int x, int y) const;
-  // What emitter groups bring to it, the mean of its corners.
+  // Its radiance from emitter groups, W / (sr m^2): the mean over its corners.
   Rgb emitted_light(int x, int y) const;
 
  private:
   struct Corner {
     Sample sample;
-    bool even = true;  // each emitter group is free, or each ray to it is blocked
+    bool even = true;  // for each emitter group, all rays are free or all are blocked
   };
 
   size_t index(int x, int y) const {
@@ -54,7 +55,7 @@ class Corners {
 
   const FrameView& view_;
   const size_t groups_;
-  int left_, top_, right_, bottom_;  // right and bottom beyond the last
+  int left_, top_, right_, bottom_;  // right and bottom are one beyond the last
   size_t columns_;
   std::vector<Corner> corners_;
   std::vector<GroupShare> shares_;  // groups_ per corner

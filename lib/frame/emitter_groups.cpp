@@ -57,7 +57,8 @@ void add_shadow_rays(const Tracer& tracer, const LitInstant& lit, const std::vec
   const uint64_t scramble = hash_of(emitters.front().polygon);
   for (uint32_t i = first; i < first + count; ++i) {
     const Point2 at = sobol_point(i, scramble);
-    // An emitter in proportion to its irradiance; the place within its share is uniform again.
+    // Chooses an emitter in proportion to its irradiance. The number's position within its share is uniform
+    // again.
     const double target = at.u * unoccluded.total;
     const auto chosen = std::upper_bound(unoccluded.up_to.begin(), unoccluded.up_to.end() - 1, target);
     const Emitter& emitter = emitters[static_cast<size_t>(chosen - unoccluded.up_to.begin())];

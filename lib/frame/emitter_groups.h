@@ -1,5 +1,6 @@
-// Emitting polygons in groups, one for each object and material, and shadow rays to them: the parts of direct
-// light that the renderer weighs and samples apart.
+// Emitting polygons in groups, one for each object and material, and shadow rays to them.
+//
+// The renderer finds the unoccluded irradiance and the visible fraction of each group separately.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ struct EmitterGroup {
 };
 std::vector<EmitterGroup> emitter_groups(const Scene& scene);
 
-// An instant with all that emits prepared.
+// The lights of an instant, prepared for shadow rays.
 struct LitInstant {
   Instant instant;
   std::vector<SpotCone> cones;                 // per spotlight
@@ -37,8 +38,8 @@ struct UnoccludedIrradiance {
 void find_unoccluded(const std::vector<Emitter>& emitters, const SurfacePoint& point,
                      UnoccludedIrradiance* irradiance);
 
-// Results of shadow rays to a group, each weighted by what its piece of the group would give; the weights of
-// all rays have mean 1.
+// Results of shadow rays to a group. Each ray is weighted by the irradiance from its part of the group,
+// relative to the mean over all rays.
 struct ShadowRays {
   float seen = 0, all = 0;  // sums of weights, of the free rays and of all
   int rays = 0, free = 0;

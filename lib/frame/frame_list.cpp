@@ -23,7 +23,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-// The whole of `text` as a number, or nothing.
+// `text` as a number, or nothing if any of it is something else.
 template <typename Number>
 std::optional<Number> number_in(std::string_view text) {
   Number value{};

@@ -18,7 +18,7 @@ struct FrameTime {
 // The stretch of time that frames may show, s.
 struct TimeRange {
   double begin = 0, end = 0;
-  const char* of = "the solution";  // for complaints
+  const char* of = "the solution";  // whose time it is, for messages
 };
 TimeRange solved_range(const Solution& solution);
 

@@ -1,5 +1,4 @@
-// What is asked of strad-frame: which frames of which stream, seen how, and where they go; and the checks
-// that every form of frames shares.
+// A request for frames: which frames of which stream, how they are rendered, and where they are written.
 #pragma once
 
 #include <optional>
@@ -43,10 +42,10 @@ FilePattern output_pattern(const FrameRequest& request, size_t frame_count);
 // The camera of that name, the first for "". Throws BadInput beginning with `option`.
 const Camera& find_camera(const Scene& scene, const std::string& option, const std::string& name);
 
-// The stream at `path`, whole. Throws BadInput when it has no solution.
+// The stream at `path`. Throws BadInput when it has no solution.
 Stream read_solved(const std::string& path);
 
-// Tells that work on frame `number` begins when `done` of `count` are finished.
+// Reports that work on frame `number` begins, when `done` of `count` frames are finished.
 void report_frame(const Progress& progress, size_t done, size_t count, int number);
 
 }  // namespace strad

@@ -11,7 +11,7 @@ namespace {
 
 // Points of emitters among which one is chosen for a shadow ray.
 constexpr int kCandidates = 8;
-// Paths are whole up to this many reflections, then end by chance (Arvo & Kirk 1990).
+// Paths have at least this many reflections. Then Russian roulette ends them (Arvo & Kirk 1990).
 constexpr int kWhole = 2;
 
 }  // namespace
@@ -42,13 +42,13 @@ Rgb Paths::unoccluded(const Instant& instant, const SurfacePoint& point, size_t 
   return static_cast<float>(spot_irradiance(cones_[s], spot, point)) * spot.intensity;
 }
 
-// One spot, chosen in proportion to what it brings if nothing is between.
+// One spotlight, chosen in proportion to its unoccluded irradiance.
 Rgb Paths::spots(const Instant& instant, const SurfacePoint& point, PathRandom* random) const {
   double sum = 0;
   const double u = random->next();
   size_t chosen = 0;
   Rgb brought;
-  double left = u;  // one uniform number serves all choices: it is stretched after each
+  double left = u;  // one uniform number is enough for all choices: after each, its rest is scaled to [0, 1)
   for (size_t s = 0; s < instant.spots.size(); ++s) {
     const Rgb irradiance = unoccluded(instant, point, s);
     const double weight = max_channel(irradiance);
@@ -67,7 +67,7 @@ Rgb Paths::spots(const Instant& instant, const SurfacePoint& point, PathRandom* 
   return static_cast<float>(sum / max_channel(brought)) * brought;
 }
 
-// A point of an emitter, by area times emission.
+// A point of an emitter, chosen in proportion to area times emission.
 Paths::Candidate Paths::draw_emitter(const Instant& instant, const SurfacePoint& point,
                                      PathRandom* random) const {
   const double target = random->next() * up_to_.back(), root = std::sqrt(random->next()), v = random->next();
@@ -87,7 +87,7 @@ Paths::Candidate Paths::draw_emitter(const Instant& instant, const SurfacePoint&
           static_cast<float>(scale) * scene_.materials[polygon.material].emission};
 }
 
-// One of a few candidates, in proportion to what it brings if nothing is between, stands for their mean
+// One of a few candidates, chosen in proportion to its unoccluded irradiance, stands for their mean
 // (resampled importance sampling: Talbot, Cline & Egbert 2005).
 Rgb Paths::emitters(const Instant& instant, const SurfacePoint& point, PathRandom* random) const {
   if (emitters_.empty()) return {};

@@ -40,7 +40,7 @@ class Paths {
   // A point of an emitter seen from a point that it lights.
   struct Candidate {
     Vec3 target;     // world, lifted off the emitter
-    Rgb irradiance;  // W / m^2 of its whole share of the power, if nothing is between
+    Rgb irradiance;  // W / m^2, unoccluded, of the share of power for which it stands
   };
   Candidate draw_emitter(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
   Rgb spots(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;

@@ -10,9 +10,9 @@ namespace strad {
 namespace {
 
 constexpr uint32_t kTileSide =
-    48;  // pixels: small enough to share out a small frame, large beside its margin
+    48;  // pixels: small enough for threads to share a small frame, and large compared to its margin
 constexpr int kShutterInstants =
-    64;  // poses over an open shutter: more than a pixel's samples, so no steps show
+    64;  // poses over an open shutter: more than samples of a pixel, so that no steps show
 
 // The instants of an exposure: one, or the middles of equal parts.
 std::vector<double> exposure_times(double time, double shutter) {
@@ -58,7 +58,7 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
   check(options);
   const bool trace_direct = options.direct == DirectFrom::kPixel;
   const double end =
-      std::min(time + options.shutter, slab_end(slab));  // beyond, the light is not this slab's
+      std::min(time + options.shutter, slab_end(slab));  // the slab has no light beyond its end
   const FrameLight light(slab, reconstruction_for(slab), time, end, {!trace_direct, options.flat});
   FrameView view{scene_, tracer_, surfaces_, light, {}, {}, trace_direct ? groups_.size() : 0, trace_direct};
   for (const double instant : exposure_times(time, options.shutter)) {

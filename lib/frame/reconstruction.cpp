@@ -28,7 +28,8 @@ uint32_t Reconstruction::middle_of(uint32_t a, uint32_t b) const {
   return found == middles_.end() ? kNone : found->second;
 }
 
-// At s along the edge from a to b: the broken line through all vertices on it, less the straight one.
+// The deviation at s along the edge from a to b: the value interpolated between all vertices on the edge,
+// minus the value interpolated between a and b.
 template <typename Add>
 void Reconstruction::visit_deviation(uint32_t a, uint32_t b, uint32_t middle, double s, double scale,
                                      const Add& add) const {
@@ -54,8 +55,8 @@ void Reconstruction::visit(uint32_t face, Vec2 uv, const Add& add) const {
     const uint32_t middle = edge_middles_[4 * size_t{point.element} + static_cast<size_t>(k)];
     if (middle == kNone) continue;
     const int next = (k + 1) % count;
-    // How near the edge: 1 on it, 0 at the opposite edge or corner. On quads the position along the edge is
-    // found by joining each end's weight with that of the corner across.
+    // `near` is 1 on the edge and 0 at the opposite edge or corner. On a quad, the position along the edge is
+    // the sum of the weights of its end and of the corner next to that.
     const double near = w[k] + w[next];
     const double s = count == 4 ? w[next] + w[(k + 2) % 4] : near > 0 ? w[next] / near : 0;
     visit_deviation(point.vertices[k], point.vertices[next], middle, std::clamp(s, 0.0, 1.0), near, add);

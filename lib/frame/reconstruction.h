@@ -21,7 +21,8 @@ class Reconstruction {
   explicit Reconstruction(const Mesh& mesh);  // keeps a reference
 
   // Bilinear on quads and linear on triangles, plus what the vertices of smaller neighbours on the leaf's
-  // edges deviate from that, fading linearly towards the opposite side (a Coons patch of the deviations).
+  // edges deviate from that, fading linearly towards the opposite side (a Coons patch of the deviations,
+  // Coons 1967).
   Rgb smooth(const std::vector<Rgb>& vertex_values, uint32_t face, Vec2 uv) const;
 
   // The leaf's mean: the elements as they are.

@@ -13,7 +13,7 @@ namespace strad {
 
 struct ReferenceOptions {
   uint32_t width = 640, height = 480;  // pixels
-  int paths = 64;                      // a pixel, >= 1
+  int paths = 64;                      // per pixel, >= 1
   double shutter = 0;                  // s that the shutter is open from the frame's time on, >= 0
   uint64_t seed = 0;                   // pictures of different seeds have independent noise
 };

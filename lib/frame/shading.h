@@ -1,4 +1,6 @@
-// What single rays of a frame see. A sample keeps apart what the renderer filters apart.
+// What single rays of a frame see.
+//
+// The parts of a sample's light that the renderer filters separately are stored separately.
 #pragma once
 
 #include <cstdint>
@@ -23,11 +25,11 @@ struct FrameView {
   bool trace_direct = true;
 };
 
-// Light of an emitter group on its way to a sample, before what stands between is taken off.
+// Light of an emitter group at a sample, before its visibility is multiplied in.
 struct GroupShare {
-  Rgb radiance;           // what it would add to the sample's
-  double irradiance = 0;  // of an UnoccludedIrradiance
-  ShadowRays shadow;      // what the rays so far say
+  Rgb radiance;           // what it would add to the sample's radiance, unoccluded
+  double irradiance = 0;  // the total of its UnoccludedIrradiance
+  ShadowRays shadow;      // the shadow rays so far
 };
 
 struct Sample {
@@ -46,11 +48,11 @@ struct ShadowPoints {
 // What is seen through (x, y), pixels, at an instant.
 Sight look(const FrameView& view, size_t instant, double x, double y);
 
-// Its light. `shares`: group_count of them, filled here with the shadow rays to `points`.
+// The light of what is seen. `shares`: group_count of them, filled here with shadow rays to `points`.
 Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPoints points,
              GroupShare* shares);
 
-// Both: a sample through (x, y).
+// look(), then shade(): a sample through (x, y).
 Sample take_sample(const FrameView& view, size_t instant, double x, double y, ShadowPoints points,
                    GroupShare* shares);
 
@@ -64,7 +66,8 @@ Rgb radiance(const FrameView& view, const Sample& sample, const GroupShare* shar
 // Do both lie on one smooth surface, on the same side?
 bool on_one_surface(const FrameView& view, const Sample& a, const Sample& b);
 
-// May both be taken for neighbours on one smooth surface under the same lights?
+// Do both lie on one smooth surface, in one leaf if leaves are shown, and in the light of the same
+// spotlights?
 bool alike(const FrameView& view, const Sample& a, const Sample& b);
 
 // Does its reflectance come from a texture?

@@ -1,5 +1,7 @@
-// Sobol's two-dimensional (0, 2)-sequence: any 4^k points that begin at a multiple of 4^k hit each of the 4^k
-// cells of every dyadic division of the unit square once.
+// Points of the two-dimensional (0, 2)-sequence of Sobol' (1967).
+//
+// Of 4^k points from a multiple of 4^k on, one lies in each of the 4^k cells of every dyadic division of the
+// unit square.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Differences of solutions and jumps of one: radiance is laid out as a picture, one row per surface point and
-// one column per date, and the metrics of pictures are applied to it.
+// Differences of two solutions, and jumps of one over time. Radiance is laid out as a picture with one row
+// for each surface point and one column for each instant, so that the metrics of pictures apply to it.
 #pragma once
 
 #include <string>
@@ -31,8 +31,8 @@ struct SolutionsComparison {
 };
 
 // Compares `b` to the reference `a` at points on all sides that light reaches in either, spread evenly by
-// area, and at dates spread evenly over the time that both cover. Throws BadInput when that is empty or the
-// geometry is not the same.
+// area, and at instants spread evenly over the time that both cover. Throws BadInput when that is empty or
+// the geometry is not the same.
 SolutionsComparison compare_solutions(const NamedSolution& a, const NamedSolution& b);
 
 // RMS over the surfaces of L(x, time+) - L(x, time-), over the mean radiance.

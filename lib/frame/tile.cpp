@@ -10,29 +10,31 @@
 namespace strad {
 namespace {
 
-// Differences of radiance over their sum. Below the first, a pixel is the mean of its corners, as for
-// textures below the second; up to the third, how far the middle may lie off that mean, it is taken for a
-// quadratic function.
+// Limits of contrast, the difference of two radiances over their sum. If the corners of a pixel differ by
+// less than the first (on textures the second), the pixel is the mean of its corners. Otherwise, if its
+// middle differs from that mean by less than the third, radiance is taken to be a quadratic function.
 constexpr float kEvenContrast = 0.03f, kTextureContrast = 0.05f, kSmoothBend = 0.06f;
-// A pixel with edges begins with few samples and doubles them, up to eight times the usual number, until they
-// are enough for their deviation over the mean: this at the usual number. The error of n points that are
-// spread evenly is about the deviation over n^(3/4), here 2 % at 16 samples.
+// A pixel with edges begins with few samples. They are doubled, up to eight times the usual number, until
+// they are enough for their deviation. kUsualDeviation, relative to the mean, is enough at the usual number.
+// The error of n evenly spread points is about the deviation over n^(3/4) (Mitchell 1996), here 2 % with 16
+// samples.
 constexpr uint32_t kFewSamples = 4, kMostDoublings = 3;
 constexpr float kUsualDeviation = 0.14f;
-// Shadow rays to each emitter group from each of the few, the usual and the many samples.
+// Shadow rays to each emitter group from a sample, where a pixel has few, the usual number, or more of them.
 constexpr uint32_t kRaysOfFew = 4, kRaysOfUsual = 2, kRaysOfMany = 1;
 
 uint64_t pixel_seed(int x, int y) { return hash_of(static_cast<uint32_t>(x), static_cast<uint32_t>(y)); }
 
-// Samples of one side of a polygon in a pixel after which the others there may be taken for their mean.
+// After so many equal samples of one side of a polygon in a pixel, further ones are taken to have their mean.
 constexpr uint32_t kKnownAfter = 8;
 
-// What a pixel has seen of each side of a polygon: where some samples agree, further ones need no light of
-// their own, only to know that they are there. So edges may be sampled finely at little cost.
+// The samples of a pixel by side of a polygon. Where the first samples of a side agree, the light of further
+// ones need not be computed: a camera ray finds that they lie there. So edges can be sampled finely at little
+// cost.
 class SeenSides {
  public:
   void clear() { sides_.clear(); }
-  // `even`: neither textured nor in the penumbra of an emitter group.
+  // `even`: the point has no texture and is not in the penumbra of an emitter group.
   void add(const Sample& sample, bool even) { noted(sample, even); }
   void add(const Sample& sample, bool even, Rgb radiance) {
     Side& side = noted(sample, even);
@@ -70,7 +72,7 @@ class SeenSides {
   std::vector<Side> sides_;
 };
 
-// Samples of a pixel, summed.
+// The sum of a pixel's samples.
 struct PixelSum {
   Rgb sum;
   float luminance_squares = 0;
@@ -83,7 +85,7 @@ struct PixelSum {
     ++count;
   }
   Rgb mean() const { return (1 / static_cast<float>(count)) * sum; }
-  // Standard deviation of luminance over its mean.
+  // Standard deviation of luminance, relative to its mean.
   float deviation() const {
     const float middle = luminance(mean());
     const float variance = luminance_squares / static_cast<float>(count) - middle * middle;
@@ -100,8 +102,8 @@ float contrast(Rgb a, Rgb b) {
   return most;
 }
 
-// Renders one pixel after another. `corners` are there when the frame is a single instant and has more than
-// one sample a pixel.
+// Renders one pixel after another. There are `corners` if the frame is a single instant and has more than one
+// sample per pixel.
 class PixelRenderer {
  public:
   PixelRenderer(const FrameView& view, int samples, const std::optional<Corners>& corners)
@@ -131,8 +133,8 @@ class PixelRenderer {
   SeenSides seen_;                  // by the pixel at hand
 };
 
-// The mean radiance over a pixel whose corners are alike, without emitter groups; nothing if a few samples do
-// not determine it.
+// The mean radiance, without that from emitter groups, of a pixel whose corners see one smooth surface.
+// Nothing if its corners and its middle are not enough to find it.
 std::optional<Rgb> PixelRenderer::smooth_base(int x, int y) {
   Rgb low = corners_->sample(x, y).base, high = low, sum;
   for (int k = 0; k < 4; ++k) {
@@ -177,8 +179,8 @@ void PixelRenderer::sample_inside(int x, int y, uint32_t count, uint32_t rays, P
   }
 }
 
-// The mean of as many samples within the pixel as their deviation asks for; the corners reveal edges that
-// few samples miss.
+// The mean of samples within the pixel, as many as their deviation demands. The corners count for the
+// deviation of few samples, which may miss an edge.
 Rgb PixelRenderer::inside(int x, int y) {
   PixelSum sum;
   seen_.clear();
@@ -205,7 +207,7 @@ Rgb PixelRenderer::inside(int x, int y) {
   }
 }
 
-// A single sample in the middle, for quick looks.
+// A single sample in the middle, for previews.
 Rgb PixelRenderer::middle(int x, int y) {
   const size_t instant = view_.instants.size() / 2;
   const ShadowPoints points{kPenumbraRays * interleaved_set(x, y), kPenumbraRays};

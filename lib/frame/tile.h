@@ -9,13 +9,14 @@
 
 namespace strad {
 
-// Renders the pixels of `rect`, each as it would come out in any other rectangle.
+// Renders the pixels of `rect`. A pixel does not depend on the rectangle in which it is rendered.
 //
-// A pixel is the mean of samples at its corners, which it shares with its neighbours, where these see one
-// smooth surface under the same lights; elsewhere of `samples` samples inside it. Corners begin with few
-// shadow rays to each emitter group and get more where they or their neighbours disagree. The points on the
-// light differ among the 4 x 4 corners around a pixel and make one well-spread set together, over which the
-// visible fraction is averaged where it is smooth (interleaved sampling, Keller & Heidrich 2001).
+// If the corners of a pixel see one smooth surface under the same lights, the pixel is the mean of the
+// samples at its corners, which it shares with its neighbours. Otherwise it is the mean of about `samples`
+// samples inside it. A corner first sends few shadow rays to each emitter group. It sends more where some
+// rays of it and its neighbours are free and some are blocked. The 4 x 4 corners around a pixel use different
+// points on the emitters, which together are spread evenly. The visible fraction is averaged over all of them
+// where it is smooth (interleaved sampling, Keller & Heidrich 2001).
 void render_tile(const FrameView& view, int samples, TileRect rect, Image* image);
 
 }  // namespace strad

@@ -6,7 +6,7 @@
 
 namespace strad {
 
-// Throws BadInput or IoError; a file is whole or absent.
+// Throws BadInput or IoError; a file is complete or absent.
 void write_pictures(const FrameRequest& request, const Progress& progress);
 // The same for reference frames, which need no solution.
 void write_references(const FrameRequest& request, const Progress& progress);

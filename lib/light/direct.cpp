@@ -82,7 +82,7 @@ DirectLight::Candidates DirectLight::candidates_for(const Instant& instant, cons
   return candidates;
 }
 
-// The point at (u, v) of the emitter as one that stands for all its area.
+// The point at (u, v) of the emitter, as a sample that represents all its area.
 EmitterSample DirectLight::sample_at(const Candidate& from, const SurfacePoint& point, double u,
                                      double v) const {
   const Vec3 y = point_on(from.emitter, u, v);
@@ -113,7 +113,7 @@ void DirectLight::add_stratified(const Candidate& candidate, const SurfacePoint&
 }
 
 // Adds points of faint emitters, each drawn with a probability in proportion to what it likely gives, by
-// systematic resampling: one random offset and equal steps along the running sum.
+// systematic resampling: one random offset and equal steps along the running sum (Kitagawa 1996).
 void DirectLight::add_drawn(const Candidates& candidates, const SurfacePoint& point, int samples,
                             uint64_t seed, std::vector<EmitterSample>* chosen) const {
   const double faint = candidates.faint;

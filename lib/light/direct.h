@@ -39,10 +39,10 @@ class DirectLight {
   Rgb emitters(const Instant& instant, const SurfacePoint& point, int samples, uint64_t seed, Which which,
                uint64_t* rays) const;
 
-  // Points of emitting polygons whose visibility decides the direct light at `point`. Each emitter that
-  // matters gets up to `samples` stratified points, in proportion to its likely share of the irradiance;
-  // together they weigh what Lambert's formula gives for the whole polygon. Of the many emitters that matter
-  // little some are drawn at random and stand for all.
+  // Points of emitting polygons for shadow rays. Each bright emitter gets up to `samples` stratified points,
+  // in proportion to its likely share of the irradiance. Together they have the unoccluded irradiance of
+  // Lambert's formula for the polygon. Of many faint emitters some are drawn at random to represent all of
+  // them (Shirley, Wang & Zimmerman 1996).
   std::vector<EmitterSample> emitter_samples(const Instant& instant, const SurfacePoint& point, int samples,
                                              uint64_t seed, Which which) const;
 

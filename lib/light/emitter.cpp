@@ -6,7 +6,8 @@
 namespace strad {
 namespace {
 
-// Corners of the part of the polygon above the horizon of `point`, relative to it; at most one corner more.
+// Clips the polygon to the horizon of `point` (Sutherland & Hodgman 1974). The corners of the part above are
+// relative to it; there is at most one more than before.
 int clip_to_horizon(Vec3 point, Vec3 normal, const Vec3* corners, int count, Vec3* clipped) {
   int kept = 0;
   for (int i = 0; i < count; ++i) {

@@ -25,12 +25,11 @@ Emitter emitter_at(const Scene& scene, uint32_t polygon, const std::vector<Pose>
 // (Turk 1990).
 Vec3 point_on(const Emitter& emitter, double u, double v);
 
-// Area of the image under point_on of a small square at (u, v), over what it is in the mean: 1 on triangles
-// and parallelograms.
+// By how much point_on() stretches area at (u, v), relative to its mean: 1 on triangles and parallelograms.
 double stretch_at(const Emitter& emitter, double u, double v);
 
 // Irradiance at `point` from an emitter of unit radiance that is all gathered at `on_emitter`, with nothing
-// between: cos cos area / distance^2. 0 where one does not face the other.
+// between: cos cos area / distance^2. 0 if one does not face the other.
 double point_irradiance(const Emitter& emitter, Vec3 on_emitter, const SurfacePoint& point);
 
 // Does the point lie on the side to which the emitter emits?

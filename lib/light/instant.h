@@ -10,7 +10,7 @@
 
 namespace strad {
 
-// All that depends on the date alone.
+// All that depends on time alone.
 struct Instant {
   double time = 0;
   std::vector<Pose> world_from_body;

@@ -12,7 +12,8 @@ Quat rotation_of(const Body& body, const BodyKey& key) {
   return key.has_quat ? key.quat : rotation_about(body.axis, key.turn);
 }
 
-// Rotation vectors: the axis times the angle in radians.
+// Rotation vectors: the axis times the angle in radians. With them, moving at constant speed along the
+// shorter way is slerp (Shoemake 1985).
 Quat exp_of(Vec3 vector) {
   const double angle = length(vector);
   if (!(angle > 0)) return {};

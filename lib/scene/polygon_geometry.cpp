@@ -52,7 +52,7 @@ Vec2 triangle_parametric(const Scene& scene, const Polygon& polygon, Vec3 rest_p
 Vec2 inverse_bilinear(Vec2 e, Vec2 f, Vec2 g, Vec2 h, double orientation) {
   const double k2 = cross2(g, f), k1 = cross2(e, f) + cross2(h, g), k0 = cross2(h, e);
   const double root = std::copysign(std::sqrt(std::max(0.0, k1 * k1 - 4 * k2 * k0)), orientation);
-  const bool same_sign = k1 * orientation >= 0;  // the form of the root without cancellation
+  const bool same_sign = k1 * orientation >= 0;  // the form of the root without cancellation (Goldberg 1991)
   const double v = same_sign ? quotient(-2 * k0, k1 + root) : quotient(root - k1, 2 * k2);
   const Vec2 along{e.x + v * g.x, e.y + v * g.y}, rest{h.x - v * f.x, h.y - v * f.y};
   const double u =

@@ -10,13 +10,13 @@ namespace {
 
 constexpr uint32_t kMostLog2Cells = 30;
 
-// Does the piece go on where the one before it in the bucket ended?
+// Does the piece begin where the piece before it in the bucket ends, in the same row?
 bool continues(const Bucket& bucket, size_t i) {
   return i > 0 && bucket.rows[i] == bucket.rows[i - 1] &&
          bucket.pieces[i].cell == bucket.pieces[i - 1].cell + bucket.pieces[i - 1].cell_count();
 }
 
-// Green as it is, red and blue as differences from it, since most light is nearly white; 16 bits, wrapping.
+// Green as it is, red and blue as differences from it modulo 2^16, since most light is nearly white.
 struct Codes {
   uint16_t channel[3];
 };
@@ -33,7 +33,8 @@ Rgb light_of(Codes codes, double quantum) {
           channel(codes.channel[0] + codes.channel[2])};
 }
 
-// What coefficient k of piece i is likely to be: what was last, in the piece or in the one that it continues.
+// The prediction for coefficient k of piece i: the one before it, in this piece or in the piece that it
+// continues.
 Codes predicted(const Bucket& bucket, const std::vector<Codes>& codes, size_t i, int k, int order) {
   const size_t at = i * static_cast<size_t>(order) + static_cast<size_t>(k);
   return k > 0 || continues(bucket, i) ? codes[at - 1] : Codes{{0, 0, 0}};

@@ -9,7 +9,7 @@ namespace strad {
 namespace {
 
 Fact number(double value) { return {value}; }
-// What is stored as a float is told as shortly as a float can be.
+// A number that is stored as a float is printed with the fewest digits that give this float.
 Fact number(float value) {
   char text[32];
   const char* end = std::to_chars(text, text + sizeof text, value).ptr;
@@ -39,7 +39,7 @@ Fact bounds(const Scene& scene) {
   return {FactGroup{{"lower", point(box.lower)}, {"upper", point(box.upper)}}};
 }
 
-// W per channel that leave the front sides: pi Le area.
+// Emitted power in W per channel: pi Le area, over all front sides.
 Fact emitters(const Scene& scene) {
   double count = 0, area = 0;
   Rgb power;
@@ -110,7 +110,7 @@ double piece_count(const Slab& slab) {
   return static_cast<double>(slab.direct.pieces.size() + slab.indirect.pieces.size());
 }
 
-// Numbers: three a node of a piece.
+// Coefficients: three numbers per Gauss node of a piece.
 double coefficient_count(const Slab& slab) {
   return 3 * static_cast<double>(slab.direct.coefficients.size() + slab.indirect.coefficients.size());
 }

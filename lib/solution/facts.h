@@ -28,14 +28,14 @@ struct ChunkFacts {
   uint64_t stored = 0, content = 0;  // bytes of payload, compressed and not
 };
 
-// Reads the whole stream, as read_stream does, and what its chunks are.
+// Reads a stream, as read_stream does, and lists its chunks.
 Stream read_with_chunks(StreamReader& reader, std::vector<ChunkFacts>* chunks);
 
-// Everything about scene and solution; with `list_chunks` each chunk with its offset.
+// All facts about scene and solution; with `list_chunks` also each chunk with its offset.
 Fact describe(const Stream& stream, const std::vector<ChunkFacts>& chunks, bool list_chunks);
 
 std::string to_json(const Fact& fact);
-// One value a line, groups indented.
+// One value per line, groups indented.
 std::string to_text(const Fact& fact);
 
 }  // namespace strad

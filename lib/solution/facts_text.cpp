@@ -6,7 +6,7 @@
 namespace strad {
 namespace {
 
-// Shortest of 15 digits: whole numbers below 10^15 as they are, others as one would write them.
+// At most 15 digits, without needless zeros. Integers below 10^15 have no exponent.
 std::string number_text(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.15g", number);
@@ -31,7 +31,7 @@ std::string json_text(const std::string& text) {
   return result + "\"";
 }
 
-// A terminal must not be steered by a name in a file.
+// Control characters in names are replaced, so that a file cannot control a terminal.
 std::string plain_text(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
@@ -71,7 +71,7 @@ std::string leaf_text(const Fact& fact) {
   return number ? number_text(*number) : plain_text(std::get<std::string>(fact.value));
 }
 
-// A list of plain values, or a group of them, fits one line.
+// A list or group that holds only plain values is printed on one line.
 std::string one_line(const Fact& fact) {
   std::string line;
   if (const auto* list = std::get_if<FactList>(&fact.value)) {

@@ -29,7 +29,7 @@ struct Part {
   std::vector<StoredSlab> slabs;
 };
 
-// A part goes through the same door as any stream, and keeps the slabs as stored.
+// Reads and checks one stream like any other, and keeps the bytes of its slabs as stored.
 Part read_part(const std::string& path) {
   StreamReader reader(path);
   Part part;
@@ -56,7 +56,9 @@ Part read_part(const std::string& path) {
 bool same(const Chunk& a, const Chunk& b) { return a.type == b.type && a.content == b.content; }
 
 void check_same_scene(const Part& first, const Part& part) {
-  const auto is_scene = [](const Chunk& chunk) { return is_critical(chunk.type); };  // all but provenance
+  const auto is_scene = [](const Chunk& chunk) {
+    return is_critical(chunk.type);
+  };  // provenance is ancillary
   auto a = std::find_if(first.scene_chunks.begin(), first.scene_chunks.end(), is_scene);
   auto b = std::find_if(part.scene_chunks.begin(), part.scene_chunks.end(), is_scene);
   for (; a != first.scene_chunks.end() && b != part.scene_chunks.end(); ++a, ++b)

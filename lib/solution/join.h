@@ -8,9 +8,9 @@
 
 namespace strad {
 
-// Copies scene and slabs of the streams at `paths` ("-": standard input), the slabs in order of time and
-// unchanged to the byte. `provenance` is added after the lines of all. Throws BadInput when scenes differ, or
-// time has a gap or an overlap.
+// Copies the scene and all slabs of the streams at `paths` ("-": standard input). The slabs are ordered by
+// time, and their bytes do not change. `provenance` is added after the provenance lines of all streams.
+// Throws BadInput when the scenes differ, or when there is a gap or an overlap in time.
 void join(const std::vector<std::string>& paths, const std::string& provenance, StreamWriter& writer);
 
 }  // namespace strad

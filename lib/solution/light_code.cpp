@@ -7,12 +7,12 @@
 namespace strad {
 namespace {
 
-constexpr double kQuantum = 2e-4;  // of the mean irradiance; half of it is the largest error near zero
-constexpr uint32_t kEvenCodes = 2u << kMantissaBits;  // codes below are multiples of the quantum
+constexpr double kQuantum = 2e-4;  // of the mean irradiance; the largest error near zero is half of it
+constexpr uint32_t kEvenCodes = 2u << kMantissaBits;  // smaller codes are multiples of the quantum
 constexpr int kLargestCode = 32767;
 
-// The integral over time of the largest channel of a row's absolute value is not additive over parents, so
-// channels are summed apart.
+// Values of parents can be added channel by channel, but not their largest channels. So channels are summed
+// apart.
 struct Mean {
   double channel[3] = {0, 0, 0};
 };
@@ -40,7 +40,7 @@ double mean_irradiance(const Slab& slab) {
     const Mean direct = row_integral(slab.grid, slab.direct, v);
     const Mean indirect = row_integral(slab.grid, slab.indirect, v);
     const uint32_t* parents = vertices[v].parents;
-    const int count = parents[0] == kNone ? 0 : parents[2] == kNone ? 2 : 4;
+    const int count = vertices[v].parent_count();
     double largest = 0;
     for (int c = 0; c < 3; ++c) {
       double& value = values[v].channel[c];
@@ -67,7 +67,7 @@ int16_t light_code(float value, double quantum) {
   double code = std::nearbyint(quanta);
   if (code >= kEvenCodes) {
     const int shift = std::ilogb(quanta) - kMantissaBits;
-    // A mantissa that rounds up to the next power of two carries into the exponent by itself.
+    // If the mantissa rounds up to a power of two, the carry increases the exponent, as it should.
     code = std::nearbyint(std::ldexp(quanta, -shift)) + std::ldexp(shift, kMantissaBits);
   }
   const int magnitude = static_cast<int>(std::min<double>(code, kLargestCode));

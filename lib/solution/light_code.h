@@ -1,6 +1,8 @@
-// Irradiance as 16-bit integers: evenly spaced near zero, then 8 bits of mantissa, as in a small
-// floating-point format whose code, read as an integer, ascends with the value. Exact to half a quantum or
-// 1/512 of the value.
+// Irradiance as 16-bit integers.
+//
+// Codes near zero are multiples of a quantum. Larger ones are small floating-point numbers with 8 bits of
+// mantissa. A larger code always means a larger value. The error is at most half a quantum or 1/512 of the
+// value.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +14,8 @@ namespace strad {
 constexpr int kMantissaBits = 8;
 constexpr int kLowestExponent = -160, kHighestExponent = 130;  // of the quantum 2^exponent
 
-// The quantum for a slab: at most 2e-4 of the mean irradiance over its vertices and time, all light together.
+// The quantum for a slab: the largest power of two up to 2e-4 of the mean irradiance over its vertices and
+// time, direct and indirect light together.
 int quantum_exponent(const Slab& slab);
 
 // REQUIRES: `quantum` is a power of two.

@@ -1,5 +1,6 @@
-// The mesh of the solution: one for all instants, in rest coordinates, refined where light varies at any
-// time.
+// The mesh of the solution: one for all instants, in rest coordinates.
+//
+// A polygon is divided into elements where its light varies at any time of the animation.
 #pragma once
 
 #include <algorithm>
@@ -12,17 +13,17 @@
 
 namespace strad {
 
-// Vertices carry hierarchical surpluses: value = mean of the parents' values + the vertex's own function.
-// Parents come before their children.
+// Vertices carry hierarchical surpluses (Yserentant 1986): value = mean of the parents' values + the vertex's
+// own function. Parents come before their children.
 struct MeshVertex {
   uint32_t parents[4] = {kNone, kNone, kNone, kNone};
   Vec3 position;  // rest, m
 
-  // 0: a corner of a polygon; 2: the middle of an edge; 4: the middle of a quad.
+  // 0 for a corner of a polygon, 2 for the middle of an edge, 4 for the middle of a quad.
   int parent_count() const { return parents[0] == kNone ? 0 : parents[2] == kNone ? 2 : 4; }
 };
 
-// The key of the edge between two vertices in tables of edges, whichever way it runs.
+// The key of the edge between two vertices, the same in both directions.
 inline uint64_t edge_key(uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
 
 // A quad (vertices counter-clockwise seen from the front of its polygon) or a triangle (vertices[3] ==
@@ -36,7 +37,7 @@ struct Element {
   int corner_count() const { return vertices[3] == kNone ? 3 : 4; }
 };
 
-// A polygon too small to be divided is uniform: all corners of its only element are one vertex.
+// A uniform face has the same light everywhere. All corners of its only element are one vertex.
 inline bool is_uniform(const Element& element) {
   return element.vertices[0] == element.vertices[1] && element.vertices[1] == element.vertices[2];
 }
@@ -52,18 +53,20 @@ struct Mesh {
   std::vector<MeshVertex> vertices;
   std::vector<Element> elements;
   std::vector<Face> faces;
-  std::vector<uint32_t> face_of_side;  // [2 * polygon + side]: face, or kNone for a side that stays dark
+  std::vector<uint32_t>
+      face_of_side;  // [2 * polygon + side]: the face, or kNone for a side that no light reaches
 };
 
 // The child of a split quad or triangle that holds `uv`, which becomes the position in the child.
 uint32_t quad_child(Vec2* uv);
 uint32_t triangle_child(Vec2* uv);
 
-// Corners of an element that lies on `polygon`, rest; returns how many.
+// Corners in rest coordinates of an element of `polygon`; returns their number.
 int corners_of(const Scene& scene, const Polygon& polygon, const Mesh& mesh, const Element& element,
                Vec3* corners);
 
-// Where an interpolated value comes from: at most four vertices and their weights (sum 1), and the leaf.
+// A point of the mesh: the leaf that holds it, and the vertices (at most four) whose weighted values give the
+// value there. The weights add up to 1.
 struct MeshPoint {
   uint32_t element = kNone;
   uint32_t vertices[4] = {kNone, kNone, kNone, kNone};

@@ -1,9 +1,9 @@
 // The mesh of a slab to bytes and back.
 //
-// Elements are written in order as events: a root, or the four children of one split element. Which vertices
-// an event brings is predicted from what came before: an edge that was split already keeps its middle, any
-// other point is a new vertex with the next number. Writer and reader grow the same mesh by the same events
-// (`Grower`); they differ only in where the true vertex numbers come from.
+// Elements are written in order, as events: a root, or the four children of an element that is split. The
+// vertices of an event are predicted: the middle of an edge that was split before is the same vertex as then,
+// any other point is a new vertex with the next number. Writer and reader grow the same mesh by the same
+// events (`Grower`). They differ only in where the true vertex numbers come from.
 #include "solution/mesh_io.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 constexpr int kQuadChildren[4][4] = {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}};
 constexpr int kTriangleChildren[4][3] = {{0, 4, 6}, {4, 1, 5}, {6, 5, 2}, {5, 6, 4}};
 
-// Tells the vertex at a corner of an element, for which `predicted` is likely.
+// Returns the true vertex at a corner of an element, given the prediction.
 using VertexSource = std::function<uint32_t(uint32_t element, int corner, uint32_t predicted)>;
 
 class Grower {
@@ -68,7 +68,7 @@ class Grower {
   Mesh take() { return std::move(mesh_); }
 
  private:
-  // True the first time.
+  // Returns true when it is first called for a vertex.
   bool see(uint32_t vertex) {
     if (seen_[vertex]) return false;
     seen_[vertex] = true;
@@ -161,8 +161,8 @@ bool same(const Mesh& a, const Mesh& b) {
          std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(), b.elements.end(), same_element);
 }
 
-// What an event is: 0 a root, else 1 + zigzag of the distance of its parent from the one after the last
-// split.
+// The code of an event: 0 for a root, else 1 + zigzag(d), where d is the element that is split minus the one
+// after the element split before.
 void put_events(const Scene& scene, const Mesh& mesh, Bytes* events, Bytes* numbers) {
   std::vector<uint32_t> face_of_root(mesh.elements.size(), kNone),
       parent_of_first(mesh.elements.size(), kNone);

@@ -1,4 +1,6 @@
-// The mesh of a slab to bytes and back: how elements were split; all else follows from the scene.
+// The mesh of a slab to bytes and back.
+//
+// Only how elements were split is stored; the rest follows from the scene.
 #pragma once
 
 #include "solution/mesh.h"

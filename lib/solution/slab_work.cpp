@@ -5,7 +5,7 @@
 namespace strad {
 namespace {
 
-// The counts of a chunk in their order.
+// The counts of a chunk, in the order in which they are stored.
 template <typename Work, typename Visit>
 void for_counts(Work& work, Visit visit) {
   for (auto* count : {&work.clusters, &work.links, &work.links_refined_in_time, &work.links_refined_in_space,

@@ -1,6 +1,6 @@
-// What the solve of a slab did, told along with it: an ancillary chunk `work` before the solution.
+// Counts of the work that the solve of a slab took, in an ancillary chunk `work` before the solution.
 //
-// Counts only, which are the same for any number of threads; what it cost is for `strad-solve --stats`.
+// They are the same for any number of threads. Times are not among them; `strad-solve --stats` has these.
 #pragma once
 
 #include <vector>

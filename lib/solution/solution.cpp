@@ -10,12 +10,12 @@
 namespace strad {
 namespace {
 
-constexpr size_t kRowGrain = 1024;  // rows a task, enough to outweigh its start
+constexpr size_t kRowGrain = 1024;  // rows per task, enough to outweigh the cost of starting it
 
 using RowValue = std::function<Rgb(const Field&, uint32_t row)>;
 
-// A polynomial that answers a step, a shadow's edge, may undershoot; light does not.
-Rgb lit(Rgb v) { return {std::max(0.0f, v.r), std::max(0.0f, v.g), std::max(0.0f, v.b)}; }
+// Near a step of light, such as the edge of a shadow, a polynomial may fall below 0.
+Rgb not_negative(Rgb v) { return {std::max(0.0f, v.r), std::max(0.0f, v.g), std::max(0.0f, v.b)}; }
 
 // Values from surpluses, in place. Parents come before their children.
 void add_parents(const Mesh& mesh, std::vector<Rgb>* values) {
@@ -34,7 +34,7 @@ std::vector<Rgb> vertex_values(const Mesh& mesh, const Field& field, const RowVa
     for (size_t v = begin; v < end; ++v) values[v] = value(field, static_cast<uint32_t>(v));
   });
   add_parents(mesh, &values);
-  for (Rgb& v : values) v = lit(v);
+  for (Rgb& v : values) v = not_negative(v);
   return values;
 }
 
@@ -45,8 +45,9 @@ VertexLight vertex_light(const Slab& slab, LightParts parts, const RowValue& val
   return light;
 }
 
-// A vertex's value in terms of surpluses: its own, those of its parents, and so on, each once. The vertex of
-// highest index has no children left, so its weight is complete when it is taken.
+// The value of a vertex: its own surplus, plus those of its parents, of their parents and so on, each
+// weighted. The vertex with the highest index is taken next: all its children are done, so its weight is
+// complete.
 Rgb vertex_value(const Slab& slab, const Field& field, uint32_t of, double time, bool continuous) {
   std::map<uint32_t, float, std::greater<>> weight_of{{of, 1.0f}};
   Rgb sum;
@@ -54,11 +55,11 @@ Rgb vertex_value(const Slab& slab, const Field& field, uint32_t of, double time,
     const auto [vertex, weight] = *weight_of.begin();
     weight_of.erase(weight_of.begin());
     sum += weight * value_at(slab.grid, field, vertex, time, continuous);
-    const uint32_t* parents = slab.mesh.vertices[vertex].parents;
-    const int count = parents[0] == kNone ? 0 : parents[2] == kNone ? 2 : 4;
-    for (int i = 0; i < count; ++i) weight_of[parents[i]] += weight / static_cast<float>(count);
+    const MeshVertex& v = slab.mesh.vertices[vertex];
+    const int count = v.parent_count();
+    for (int i = 0; i < count; ++i) weight_of[v.parents[i]] += weight / static_cast<float>(count);
   }
-  return lit(sum);
+  return not_negative(sum);
 }
 
 Rgb value_in(const Slab& slab, const Field& field, const MeshPoint& point, double time, bool continuous) {

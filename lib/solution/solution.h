@@ -31,12 +31,12 @@ inline double slab_end(const Slab& slab) { return slab.grid.spans.back().end; }
 // The slab that holds `time`, clamped. REQUIRES: at least one slab.
 uint32_t slab_at(const Solution& solution, double time);
 
-// What is asked for: frames that trace direct light themselves need half of a solution.
+// Which light to read: frames that compute direct light by shadow rays need only the indirect light.
 enum class LightParts : uint8_t { kAll, kIndirect };
 
-// Irradiance at every vertex of a slab's mesh (parents added in).  Never negative.
+// Irradiance at every vertex of a slab's mesh: full values, not surpluses. Never negative.
 struct VertexLight {
-  std::vector<Rgb> direct, indirect;  // W / m^2; direct is empty where only indirect was asked for
+  std::vector<Rgb> direct, indirect;  // W / m^2; direct is empty with LightParts::kIndirect
 };
 VertexLight light_at(const Slab& slab, double time, bool continuous = true,
                      LightParts parts = LightParts::kAll);

@@ -1,5 +1,6 @@
-// A stream with a solution, for those who ask for one instant after another. Of a file only the scene, one
-// mesh and the buckets of the instant are touched; a pipe is read whole.
+// A stream with a solution, read one instant after another.
+//
+// From a file only the scene, one mesh and the buckets of the instant are read; from a pipe everything.
 #pragma once
 
 #include <memory>
@@ -20,9 +21,9 @@ class SolutionFile {  // not thread-safe
   double begin() const;  // s: the time that the solution covers
   double end() const;
 
-  // The slab that holds `begin` (clamped), with the pieces of `parts` needed at any time in [begin, end] of
-  // that slab; other pieces may be missing. Valid until the next call. Throws BadInput when a chunk turns out
-  // to be damaged.
+  // The slab that holds `begin` (clamped to the solution's time), with all pieces of `parts` that are needed
+  // at times in [begin, end] of that slab. Other pieces may be missing. Valid until the next call. Throws
+  // BadInput when a chunk is damaged.
   const Slab& slab_for(double begin, double end, LightParts parts = LightParts::kAll);
   const Slab& slab_at(double time) { return slab_for(time, time); }
 
@@ -38,7 +39,7 @@ class SolutionFile {  // not thread-safe
 
   std::unique_ptr<StreamReader> reader_;
   Scene scene_;
-  std::optional<Solution> whole_;  // of a pipe
+  std::optional<Solution> whole_;  // where the stream is a pipe
   std::vector<IndexEntry> index_;
   std::vector<Place> places_;
   std::optional<size_t> loaded_place_;

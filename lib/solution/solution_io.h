@@ -1,8 +1,8 @@
 // A solution to chunks and back; strad(5) has the tables.
 //
 // A slab is one SLAB chunk (time grid and mesh) followed by its buckets, DLIT for direct and ILIT for
-// indirect light. Buckets are the nodes of a binary tree over the slab's cells, five splits deep: a piece
-// lies in the smallest bucket that holds it, so that an instant needs few of them.
+// indirect light. Buckets are the nodes of a binary tree of depth five over the slab's cells. A piece is
+// stored in the smallest bucket that contains its interval, so the light at an instant is in few buckets.
 #pragma once
 
 #include <vector>
@@ -28,8 +28,8 @@ Slab decode_slab(const Scene& scene, ByteSpan content, const std::string& place)
 // The field of all `buckets`. Throws BadInput when two pieces of a row overlap.
 Field assemble_field(const Slab& slab, const std::vector<Bucket>& buckets, const std::string& place);
 
-// The cells whose pieces an evaluation in [begin, end] may touch: those of that time, and for the correction
-// at boundaries the first cell beyond either end of each dyadic interval around them. Ascending.
+// The cells whose pieces may be needed to evaluate light in [begin, end], ascending: those of that time, and
+// for the correction at boundaries the cells next to each dyadic interval that contains one of them.
 std::vector<uint32_t> cells_needed(const TimeGrid& grid, double begin, double end);
 
 }  // namespace strad

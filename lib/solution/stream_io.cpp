@@ -1,4 +1,4 @@
-// Whole streams.
+// Reads and writes streams with all that they hold.
 #include "solution/stream_io.h"
 
 #include "base/error.h"

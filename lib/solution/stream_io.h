@@ -1,4 +1,4 @@
-// All that a stream holds, read and written as a whole. For one instant after another see solution_file.h.
+// A stream with all that it holds, read and written at once. To read single instants see solution_file.h.
 #pragma once
 
 #include <functional>

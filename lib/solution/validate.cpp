@@ -1,4 +1,4 @@
-// Is a solution whole and made for its scene? What passes may be read without further tests.
+// Checks that a solution is complete and fits its scene. Readers of a checked solution need no further tests.
 #include <cmath>
 #include <string>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint32_t kMaxLog2Cells = 30;  // so that cell numbers fit in 32 bits with room to add
 
-// Faults are told as `what` `number`: found, expected.
+// Throws BadInput "solution: WHAT NUMBER: FAULT" unless `holds`.
 void check(bool holds, const std::string& what, size_t number, const std::string& fault) {
   if (!holds) throw BadInput("solution: " + what + " " + std::to_string(number) + ": " + fault);
 }

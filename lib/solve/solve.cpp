@@ -28,7 +28,7 @@ namespace {
 // more gets fewer rays, down to half.
 int rays_for(double error) { return static_cast<int>(512 * std::clamp(std::sqrt(0.02 / error), 0.5, 1.0)); }
 
-// Nodes of the grid for the whole animation: one for every 3.2 frames, at least 24.
+// Time samples of the animation: one for every 3.2 frames, at least 24.
 int samples_for(const Scene& scene, double begin, double end) {
   return static_cast<int>(std::max(24.0, (end - begin) * scene.rate / 3.2));
 }

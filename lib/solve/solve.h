@@ -20,7 +20,7 @@ struct SolveOptions {
   int order = 3;                // temporal basis M_order: 1 constant (Haar), 2 linear, 3 quadratic
   std::optional<double> begin;  // s: solve only [begin, end]
   std::optional<double> end;
-  std::optional<double> instant;  // s: solve this one time sample
+  std::optional<double> instant;  // s: solve only this instant
   bool clusters = true;           // false: links between surfaces only
   double residual = 1e-4;         // iterate until the largest change of mean radiance falls below, relative
   // Shown the links once they are final, before light is sent along them. May be empty.

@@ -23,7 +23,7 @@ struct SolveStats {
   double residual = 0;  // of the last one
 };
 
-// The same plus the other's.
+// The sum of two phases' work and cost.
 PhaseStats operator+(PhaseStats a, const PhaseStats& b);
 
 }  // namespace strad

@@ -1,4 +1,4 @@
-// Numbers and text to bytes and back, little-endian: what every chunk is written with.
+// Numbers and text to bytes and back, little-endian, for all chunks.
 #pragma once
 
 #include <cstdint>

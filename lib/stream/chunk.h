@@ -48,7 +48,7 @@ struct ChunkView {
 uint64_t checksum(ByteSpan bytes);
 
 Bytes compress(ByteSpan content);
-// Throws BadInput "PLACE: ..." for anything but one whole zstd frame. Takes memory only for bytes that are
+// Throws BadInput "PLACE: ..." for anything but one complete zstd frame. Takes memory only for bytes that are
 // really unpacked, whatever size the frame claims.
 Bytes decompress(ByteSpan payload, const std::string& place);
 // The content size that the frame states, without unpacking it. Throws BadInput if it states none.

@@ -1,4 +1,4 @@
-// A file that is whole or absent: written beside its name and renamed at the end.
+// A file that is complete or absent: written beside its name and renamed at the end.
 #pragma once
 
 #include <cstdio>
@@ -27,7 +27,7 @@ class WholeFile {
   bool committed_ = false;
 };
 
-// Bytes to a file (whole or absent), or to standard output when `path` is "" or "-".
+// Bytes to a file (complete or absent), or to standard output when `path` is "" or "-".
 class Output {
  public:
   explicit Output(const std::string& path);  // throws IoError when it cannot be opened

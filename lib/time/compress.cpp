@@ -1,4 +1,7 @@
-// Values at the nodes of all cells to as few dyadic pieces as the tolerance allows, bottom-up.
+// Compresses values at all time samples to as few dyadic pieces as the tolerance allows, bottom-up.
+//
+// Merging halves is truncation of the coefficients of multiwavelets, the bases M1 to M3 (Alpert 1993; for
+// radiosity Gortler et al. 1993).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,19 +15,20 @@ struct Candidate {
   std::array<Rgb, kMaxOrder> values;  // at the Gauss nodes of its interval
   float error2 = 0;                   // mean square error against the cells' values
   float norm2 = 0;                    // mean square of the cells' values
-  bool whole = false;                 // one polynomial serves its whole interval
-  bool zero = false;                  // zero serves
+  bool single = false;                // one polynomial is exact enough for its interval
+  bool zero = false;                  // zero is exact enough
 };
 
 float mean_square(const Rgb& a) { return std::max(a.r * a.r, std::max(a.g * a.g, a.b * a.b)); }
 
-// Quadrature weight of each Gauss node of [0, 1].
+// Quadrature weight of each Gauss node of [0, 1] (Abramowitz & Stegun 1964, table 25.4).
 const double* gauss_weights(int order) {
   static constexpr double kWeights[3][3] = {{1, 0, 0}, {0.5, 0.5, 0}, {5.0 / 18, 8.0 / 18, 5.0 / 18}};
   return kWeights[order - 1];
 }
 
-// For order k: parent = projection * (left values, right values), children = restriction * parent values.
+// The two-scale relation of an order: parent = projection * (left values, right values), children =
+// restriction * parent values.
 struct TwoScale {
   double projection[kMaxOrder][2 * kMaxOrder];
   double restriction[2 * kMaxOrder][kMaxOrder];
@@ -62,7 +66,8 @@ Candidate merge(int order, const Candidate& left, const Candidate& right) {
     added +=
         0.5f * static_cast<float>(gauss_weights(order)[c % order]) * mean_square(interpolated - child(c));
   }
-  parent.error2 = 0.5f * (left.error2 + right.error2) + added;  // orthogonal projections: squares add
+  parent.error2 =
+      0.5f * (left.error2 + right.error2) + added;  // projections are orthogonal, so squared errors add up
   parent.norm2 = 0.5f * (left.norm2 + right.norm2);
   return parent;
 }
@@ -71,7 +76,7 @@ Candidate merge(int order, const Candidate& left, const Candidate& right) {
 void emit(const std::vector<Candidate>& tree, size_t node, Interval interval, Field* field) {
   const Candidate& candidate = tree[node];
   if (candidate.zero) return;
-  if (candidate.whole) {
+  if (candidate.single) {
     field->pieces.push_back(interval);
     field->coefficients.insert(field->coefficients.end(), candidate.values.begin(),
                                candidate.values.begin() + field->order);
@@ -95,7 +100,7 @@ void append_row(const TimeGrid& grid, const std::vector<Rgb>& node_values, const
     for (uint32_t c = 0; c < cells; ++c) {
       Candidate& leaf = tree[cells + c];
       const uint32_t cell = span.first_cell + c;
-      leaf.whole = true;
+      leaf.single = true;
       if (active.empty() || active[cell])
         for (int k = 0; k < order; ++k) {
           leaf.values[k] = node_values[static_cast<size_t>(cell) * order + k];
@@ -107,9 +112,9 @@ void append_row(const TimeGrid& grid, const std::vector<Rgb>& node_values, const
       tree[n] = merge(order, tree[2 * n], tree[2 * n + 1]);
       const bool both_zero = tree[2 * n].zero && tree[2 * n + 1].zero;
       tree[n].zero = both_zero && tree[n].norm2 <= tolerance2;
-      // One polynomial serves only where both halves are served by one, so that no short event is averaged
+      // Halves are merged only if each of them is a single polynomial, so that no short event is averaged
       // away.
-      tree[n].whole = tree[2 * n].whole && tree[2 * n + 1].whole && tree[n].error2 <= tolerance2;
+      tree[n].single = tree[2 * n].single && tree[2 * n + 1].single && tree[n].error2 <= tolerance2;
     }
     emit(tree, 1, {span.first_cell, span.log2_cells}, field);
   }

@@ -47,9 +47,9 @@ Rgb cell_end_value(const Field& field, uint32_t row, uint32_t cell, double s) {
   return combine(field, piece, weights);
 }
 
-// Half of the jumps at the two ends of a cell: what must be added there, fading within the cell, to make the
-// row continuous. The same for every row and every length of pieces, so that it is linear: a sum of corrected
-// rows is the corrected sum, and surpluses whose jumps cancel stay cancelled.
+// Half of the jumps at the two ends of a cell. Added there, and fading within the cell, they make the row
+// continuous. They do not depend on the length of pieces, so the correction is linear: a sum of corrected
+// rows is the corrected sum, and jumps of surpluses that cancel still cancel.
 struct Ends {
   Rgb begin, end;
 };

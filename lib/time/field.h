@@ -17,7 +17,8 @@ struct Field {
   std::vector<Interval> pieces;
   std::vector<Rgb> coefficients;  // pieces * order
 
-  // Asks for address space, which costs nothing until it is filled, where growing would hold two copies.
+  // Reserves memory, which the system provides only as it is filled. Without it, growing would hold two
+  // copies.
   void expect_rows(size_t rows) {
     constexpr size_t kPieces = 32;  // of a row: more than most have
     first_piece.reserve(rows + 1);
@@ -29,10 +30,10 @@ struct Field {
 
 // The value at `time`, of the later piece at a boundary.
 //
-// With `continuous`, half of the jump between two cells inside a span is added on either side, fading within
-// the cell, so that both sides meet at their mean (the paper asks for continuity across interval boundaries).
-// It is linear: surpluses whose jumps cancel stay cancelled. Steps, the boundaries of spans, stay sharp. It
-// needs the pieces of the cells before and after that of `time`.
+// With `continuous`, half of the jump between two cells of a span is added on either side, fading within the
+// cell, so that both sides meet at their mean (the paper asks for continuity across interval boundaries).
+// This is linear in the functions: jumps of surpluses that cancel still cancel. Boundaries of spans, where
+// light may step, stay sharp. It needs the pieces of the cells before and after that of `time`.
 Rgb value_at(const TimeGrid& grid, const Field& field, uint32_t row, double time, bool continuous);
 
 // The mean over [begin, end], in closed form.
@@ -46,10 +47,10 @@ Rgb jump_at(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t cel
 void add_values(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t first, uint32_t count,
                 Rgb* values);
 
-// Appends a row from values at all time samples (sample_count of them): merges dyadic halves bottom-up
-// while the root-mean-square error of the merged polynomial over its interval stays below `tolerance`
-// (luminance-like: the largest channel), drops pieces below it, so the row's error is of the order of
-// `tolerance`. `active`: one flag per cell; inactive cells hold zero. Empty: all are active.
+// Appends a row from values at all time samples (sample_count of them). Dyadic halves are merged bottom-up
+// while the root mean square error of the merged polynomial over its interval, in its largest channel, is at
+// most `tolerance`. Pieces whose root mean square is below it are dropped. So the error of the row is about
+// `tolerance`. `active`: one flag per cell; inactive cells are zero. Empty: all cells are active.
 void append_row(const TimeGrid& grid, const std::vector<Rgb>& node_values, const std::vector<bool>& active,
                 float tolerance, Field* field);
 

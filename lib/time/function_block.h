@@ -1,4 +1,4 @@
-// Functions of time of many leaves in one block, which can be filled in any order.
+// Functions of time of many leaves in one array, which can be filled in any order.
 #pragma once
 
 #include <bit>
@@ -11,8 +11,8 @@
 
 namespace strad {
 
-// 6 bytes per time sample: each channel is the upper half of a float, rounded to nearest, which keeps 3
-// significant digits of any size. The error of a sum of many values is far smaller.
+// 6 bytes per time sample: each channel is the upper half of a float, rounded to nearest, so its error is at
+// most 1/256 of the value. The error of a sum of many values is far smaller.
 class FunctionBlock {
  public:
   FunctionBlock() = default;

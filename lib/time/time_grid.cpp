@@ -71,7 +71,8 @@ uint32_t cell_at(const TimeGrid& grid, double time) {
 }
 
 const double* gauss_nodes(int order) {
-  // Gauss-Legendre on [0, 1]: 1/2; (1 -+ 1/sqrt 3) / 2; (1 -+ sqrt(3/5)) / 2 and 1/2.
+  // Gauss-Legendre on [0, 1] (Abramowitz & Stegun 1964, table 25.4): 1/2; (1 -+ 1/sqrt 3) / 2; (1 -+
+  // sqrt(3/5)) / 2 and 1/2.
   static constexpr double kNodes[3][3] = {{0.5, 0, 0},
                                           {0.21132486540518712, 0.78867513459481288, 0},
                                           {0.11270166537925831, 0.5, 0.88729833462074169}};

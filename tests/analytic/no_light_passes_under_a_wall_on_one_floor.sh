@@ -1,6 +1,6 @@
 # Floor, ceiling and two walls of a hall are one polygon each; a wall stands across it, as a sheet or 8 cm thick. A lamp
 # lights the one part only: the other is dark, to the last bit, right at the foot of the wall, too. A wall that ends
-# half way lets light around it, and what furniture stands on or a door slides over stays whole.
+# half way lets light around it, and a floor is not cut under furniture or a sliding door.
 source "$STRAD_SOURCE_DIR/tests/analytic/hall.bash"
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
@@ -67,7 +67,7 @@ for scene in thin thick half; do
   done
 done
 
-# Two pieces for each of four under the whole sheet; three under the half one, which ends in the middle; the cupboard's
+# Two pieces for each of four under the full sheet; three under the half one, which ends in the middle; the cupboard's
 # floor is as it was.
 polygons() { strad-info --json $1.strad | awk -F'[:,]' '/"polygons"/ { print $2 + 0; exit }'; }
 [ "$(polygons thin)" = 11 ]

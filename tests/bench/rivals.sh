@@ -22,7 +22,7 @@ if ! [ -d "${STRAD_TRUTH:-/nonexistent}" ] || ! command -v povray >/dev/null; th
   exit 0
 fi
 
-# The frames of a list such as 61,150,298:301, one a line.
+# The frames of a list such as 61,150,298:301, one per line.
 each() { tr , '\n' <<<"$1" | awk -F: '{ for (k = $1; k <= $NF; ++k) print k }' | sort -nu; }
 
 flicker() { strad-diff "$1" "$1" -f "$2" --flicker 1e9 | value flicker_b | awk '{ printf "%.2f\n", 100 * $1 }'; }

@@ -45,4 +45,4 @@ strad-join whole.strad | cmp - joined.strad
   strad-info whole.strad 2>err || status=$?
   echo $status >status
 ) | true || true
-[[ $(<status) == 141 && ! -s err ]]  # SIGPIPE, without a word
+[[ $(<status) == 141 && ! -s err ]]  # SIGPIPE, without a message

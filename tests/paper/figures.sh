@@ -10,7 +10,7 @@ size=${PAPER_SIZE:-320x240}
 point=${PAPER_POINT:-3,1.2,0,0,0,1}
 folder=$1
 
-# pixels FILE: one line `red green blue` a pixel of a PFM picture, rows from below.
+# pixels FILE: one line `red green blue` per pixel of a PFM picture, rows from below.
 pixels() { tail -n +4 "$1" | od -An -v -t f4 -w12; }
 
 # sides NAME: the two sides of half time as strad solved them, and what is between them in percent of their mean.

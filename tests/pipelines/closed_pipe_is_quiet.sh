@@ -1,4 +1,4 @@
-# A reader that goes away ends each tool without a word.
+# A reader that closes the pipe ends each tool without a message.
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
 scene=$STRAD_SOURCE_DIR/scenes/shutter/shutter

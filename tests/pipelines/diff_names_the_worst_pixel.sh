@@ -1,4 +1,4 @@
-# strad-diff prints one `name value` a line; its metrics are those derived by hand.
+# strad-diff prints one `name value` per line; its metrics are those derived by hand.
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
 

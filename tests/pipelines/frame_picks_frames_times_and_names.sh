@@ -19,7 +19,7 @@ frame -f 52 -o out/frame52.pfm
 cmp 'out/t 2.pfm' out/frame52.pfm  # frame 52 is at 2.04 s
 rm out/*
 
-# PPM by default, three bytes a pixel after the header.
+# PPM by default, three bytes per pixel after the header.
 [ "$(frame -f 51:53 | wc -c)" = $((3 * (8 * 8 * 3 + $(printf 'P6\n8 8\n255\n' | wc -c)))) ]
 [ "$(frame -f 51 --pfm | head -c 2)" = PF ]
 

@@ -1,4 +1,4 @@
-# -o FILE: the file appears whole or not at all, what it held before stays until then, and nothing is left beside it.
+# -o FILE: the file appears complete or not at all, what it held before stays until then, and nothing is left beside it.
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
 scene=$STRAD_SOURCE_DIR/scenes/room4/room4
@@ -32,7 +32,7 @@ if wait $!; then exit 1; fi
 test "$(cat out/a.strad)" = before
 test "$(ls -A out)" = a.strad
 
-# Frames that are there when it is interrupted are whole: 40 x 40 pixels of 12 bytes after the header.
+# Frames that are there when it is interrupted are complete: 40 x 40 pixels of 12 bytes after the header.
 shutter=$STRAD_SOURCE_DIR/scenes/shutter/shutter
 strad-import $shutter.obj | strad-motion $shutter.motion | strad-solve -e 0.2 -o shutter.strad
 mkdir frames
@@ -47,7 +47,7 @@ for file in frames/*.pfm; do
   test "$(stat -c %s $file)" = $((12 * 40 * 40 + ${#header}))
 done
 
-# Whole where it succeeds, in place of what was there.
+# If it succeeds, the complete file replaces what was there.
 strad-motion $scene.motion scene.strad -o out/a.strad
 strad-info out/a.strad >/dev/null
 test "$(ls -A out)" = a.strad

@@ -1,4 +1,4 @@
-# With -v each tool says on standard error what it does, a line each; with -q, and -q -v, it says nothing.
+# With -v each tool says on standard error what it does; with -q, and -q -v, it says nothing.
 scene=$STRAD_SOURCE_DIR/scenes/lamp/lamp
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT

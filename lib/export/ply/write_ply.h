@@ -6,7 +6,7 @@
 
 namespace strad {
 
-// Throws BadInput or IoError; a file is whole or absent.
+// Throws BadInput or IoError; a file is complete or absent.
 void write_ply(const FrameRequest& request, const Progress& progress);
 
 }  // namespace strad

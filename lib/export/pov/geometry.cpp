@@ -8,15 +8,15 @@
 namespace strad {
 namespace {
 
-// An emitting surface that reflects nothing in a channel still needs a pigment for its emission to act on;
-// what POV-Ray's lights then add is less than 8 bits show.
+// The smallest pigment of an emitting surface. POV-Ray multiplies the emission by it, so it must not be 0.
+// The light that the surface then reflects is too little to show in 8 bits.
 constexpr float kLeastPigment = 1e-4f;
 
 Rgb at_least(Rgb colour, float least) {
   return {std::max(colour.r, least), std::max(colour.g, least), std::max(colour.b, least)};
 }
 
-// texture_list entries of corners [begin, end), all of one material and alike in having an image.
+// Appends the texture_list entries of corners [begin, end), which have one material and all an image or none.
 void write_textures(const PovShading& shading, const ExportBody& body, size_t begin, size_t end,
                     const PovIdentifiers& names, PovText* out) {
   const ExportCorner& corner = body.corners[begin];
@@ -109,7 +109,7 @@ void write_body(const PovShading& shading, const ExportBody& body, const PovIden
   write_texture_list(shading, body, names, out);
   *out << "  face_indices { " << body.triangles.size() << ",\n";
   for (const auto& [a, b, c] : body.triangles) {
-    // POV-Ray's space is left-handed: its fronts are clockwise where ours are not.
+    // POV-Ray's space is left-handed: its front sides are clockwise, ours counter-clockwise.
     *out << "<" << a << "," << c << "," << b << ">," << a << "," << c << "," << b << "\n";
   }
   *out << "  }\n  texture { strad_dark } interior_texture { strad_dark }\n}\n";

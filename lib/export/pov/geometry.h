@@ -1,4 +1,5 @@
-// What is written once for POV-Ray: bodies as meshes with a texture at each corner, pigments, image maps.
+// The geometry of an export for POV-Ray: bodies as meshes with a texture at each corner, pigments, image
+// maps.
 #pragma once
 
 #include <string>
@@ -10,20 +11,21 @@
 
 namespace strad {
 
-// How a corner's light becomes POV-Ray's pigment and emission. POV-Ray shows pigment * emission, plus, where
-// lights are its own, pigment * diffuse * light. So a frame holds for each corner
-//   baked, without image:  the radiance; the pigment is this value and the emission 1
-//   else:                  radiance / pigment (E / pi where nothing is emitted); the emission is this value
+// How a corner's light becomes POV-Ray's pigment and emission. POV-Ray shows pigment * emission, and adds
+// pigment * diffuse * light where the scene has lights of POV-Ray. A frame's file has one colour for each
+// corner:
+//   light baked, no image:  the radiance, used as the pigment; the emission is 1
+//   otherwise:              radiance / pigment (E / pi where nothing is emitted), used as the emission
 class PovShading {
  public:
   PovShading(const Scene& scene, bool baked);  // keeps a reference
 
   Rgb value(const ExportCorner& corner, Rgb irradiance, float glow) const;
   bool baked() const { return baked_; }
-  // The pigment is the material's image. Not where a material emits: the image may be black there.
+  // Whether the pigment is the material's image. Not for emitting materials, whose image may be black.
   bool has_image(const ExportCorner& corner) const { return corner.textured && image_of(corner.material); }
   bool image_of(size_t material) const;
-  // The pigment is the material's, and not the value in a frame.
+  // Whether the pigment is the material's colour or image, and not the colour in the frame's file.
   bool has_pigment(const ExportCorner& corner) const { return !baked_ || has_image(corner); }
   Rgb pigment(size_t material) const { return pigment_[material]; }
 
@@ -33,7 +35,7 @@ class PovShading {
   std::vector<Rgb> textured_reflectance_, pigment_;  // per material
 };
 
-// What the names in the files are made of: per body, per material; "" for materials without an image file.
+// Names in the files, per body and per material; "" for materials without an image file.
 struct PovIdentifiers {
   std::vector<std::string> bodies, materials, image_files;
 };
@@ -44,7 +46,7 @@ void write_pigments(const Scene& scene, const PovShading& shading, const PovIden
 // Appends the declaration of strad_body_NAME, which expects strad_radiance_NAME.
 void write_body(const PovShading& shading, const ExportBody& body, const PovIdentifiers& names, PovText* out);
 
-// A material's reflectance times its texture as PPM, 16 bits a channel, linear.
+// A material's reflectance times its texture as PPM, 16 bits per channel, linear.
 std::string pov_image(const Scene& scene, const Material& material);
 
 }  // namespace strad

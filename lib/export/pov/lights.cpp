@@ -8,34 +8,29 @@
 #include <tuple>
 
 #include "export/mesh.h"
+#include "scene/polygon_geometry.h"
 
 namespace strad {
 namespace {
 
-// POV-Ray's fading, 2 / (1 + (r / d)^2), is 2 d^2 / r^2 within 1e-6 for r > 1000 d. Lengths here are metres.
+// POV-Ray's light fades by 2 / (1 + (r / d)^2) with the distance r. For r > 1000 d this is 2 d^2 / r^2 within
+// 1e-6, an inverse square law. The gain makes up for the factor. d is in metres.
 constexpr double kFadeDistance = 1e-4;
 constexpr float kFadeGain = static_cast<float>(1 / (2 * kFadeDistance * kFadeDistance));
-// POV-Ray multiplies by pigment and cosine only: our 1 / pi goes into its lights.
+// POV-Ray reflects pigment * cosine * light, without the 1 / pi of a diffuse surface. So its lights have
+// that.
 constexpr float kLightGain = kFadeGain / static_cast<float>(kPi);
 constexpr const char* kFading = " fade_distance 1e-4 fade_power 2";
 
-constexpr double kParallel = 1e-5;  // of a side: how far a corner may be from where it makes a parallelogram
+constexpr double kParallel = 1e-5;  // of a diagonal: how far opposite sides of a parallelogram may differ
 
-// An emitting polygon, or two triangles that were joined.
+// An emitting polygon, or two emitting triangles that were joined to a parallelogram.
 struct Panel {
   uint32_t polygon = 0;
   std::array<Vec3, 4> corners;
   int corner_count = 4;
   double area = 0;
 };
-
-double triangle_area(Vec3 a, Vec3 b, Vec3 c) { return length(cross(b - a, c - a)) / 2; }
-
-double area_of(const Panel& panel) {
-  const auto& c = panel.corners;
-  const double half = triangle_area(c[0], c[1], c[2]);
-  return panel.corner_count == 3 ? half : half + triangle_area(c[0], c[2], c[3]);
-}
 
 bool is_parallelogram(const Panel& panel) {
   const auto& c = panel.corners;
@@ -53,7 +48,8 @@ Panel panel_of(const Scene& scene, uint32_t polygon) {
   return panel;
 }
 
-// Of the triangle `a` and one that meets it along its edge from corner `i`; nothing unless a parallelogram.
+// The parallelogram of the triangle `a` and a triangle `b` that shares its edge from corner `i`; nothing if
+// they do not make one.
 std::optional<Panel> joined(const Panel& a, int i, const Panel& b) {
   const Vec3 from = a.corners[i], to = a.corners[(i + 1) % 3], opposite = a.corners[(i + 2) % 3];
   for (const Vec3 other : {b.corners[0], b.corners[1], b.corners[2]}) {
@@ -63,7 +59,7 @@ std::optional<Panel> joined(const Panel& a, int i, const Panel& b) {
   return std::nullopt;
 }
 
-// An edge as its two ends, of the triangles of one object and material.
+// An edge, as a key: object and material of its triangle, and its two ends.
 using Edge = std::tuple<uint32_t, uint32_t, std::array<double, 6>>;
 Edge edge_of(const Scene& scene, const Panel& panel, Vec3 from, Vec3 to) {
   const Polygon& polygon = scene.polygons[panel.polygon];
@@ -111,9 +107,9 @@ class LampCutter {
   }
 
  private:
-  // POV-Ray takes one mean shadow for all lights of an area_light, also of those behind the horizon: quarters
-  // err a fourth as much (on a Cornell box 0.3 % in place of 0.9 %) and take less time than one light that
-  // adapts.
+  // POV-Ray applies the mean shadow of an area_light to each of its lights, and counts those behind the
+  // horizon. Four quarters have a fourth of this error (in a Cornell box 0.3 % instead of 0.9 %), and take
+  // less time than one adaptive area_light.
   void cut_parallelogram(Vec3 corner, Vec3 u, Vec3 v, int samples) {
     if (samples < 4) return add(corner + 0.5 * (u + v), u, v, length(cross(u, v)), samples);
     for (const double s : {0.25, 0.75}) {
@@ -123,9 +119,10 @@ class LampCutter {
     }
   }
 
-  // Half of a triangle is a parallelogram, the rest two triangles of half its size.
+  // Half of a triangle's area is cut off as a parallelogram. Two triangles of half its size are left.
   void cut_triangle(Vec3 a, Vec3 b, Vec3 c, int samples) {
-    if (samples == 1) return add((a + b + c) / 3, {}, {}, triangle_area(a, b, c), 1);
+    const Vec3 corners[3] = {a, b, c};
+    if (samples == 1) return add((a + b + c) / 3, {}, {}, area_of(corners, 3), 1);
     const Vec3 ab = lerp(a, b, 0.5), bc = lerp(b, c, 0.5), ca = lerp(c, a, 0.5);
     cut_parallelogram(a, ab - a, ca - a, samples / 2);
     cut_triangle(ab, b, bc, samples / 2);
@@ -133,14 +130,15 @@ class LampCutter {
   }
 
   void add(Vec3 centre, Vec3 u, Vec3 v, double area, int samples) {
-    lamps_.push_back({.material = polygon_->material,
-                      .body = body_of(scene_, *polygon_),
-                      .centre = centre + lift_ * normal_,  // or the polygon would shadow it now and then
-                      .u = u,
-                      .v = v,
-                      .normal = normal_,
-                      .area = area,
-                      .samples = samples});
+    lamps_.push_back(
+        {.material = polygon_->material,
+         .body = body_of(scene_, *polygon_),
+         .centre = centre + lift_ * normal_,  // in front of the polygon, which could shadow it otherwise
+         .u = u,
+         .v = v,
+         .normal = normal_,
+         .area = area,
+         .samples = samples});
   }
 
   const Scene& scene_;
@@ -157,7 +155,7 @@ void write_lamp(const PovLamp& lamp, Rgb radiance, const Pose& world_from_body, 
                      << kFading << "\n    spotlight point_at ";
   out->exact(centre + rotate(world_from_body, lamp.normal)) << " tightness 1 radius 90 falloff 90";
   if (lamp.samples > 1) {
-    const double inset = 1 - 1.0 / lamp.samples;  // POV-Ray's outer lights stand on the border
+    const double inset = 1 - 1.0 / lamp.samples;  // POV-Ray places the outer lights on the border of the area
     *out << "\n    area_light ";
     out->exact(rotate(world_from_body, inset * lamp.u)) << ", ";
     out->exact(rotate(world_from_body, inset * lamp.v))
@@ -166,7 +164,8 @@ void write_lamp(const PovLamp& lamp, Rgb radiance, const Pose& world_from_body, 
   *out << " }\n";
 }
 
-// One of POV-Ray's spotlights: smoothstep in the cosine, as ours, but dark from 90 degrees on.
+// A spotlight of POV-Ray. Its falloff is a smoothstep in the cosine, as strad's, but it is dark beyond 90
+// degrees.
 void write_cone(const SpotState& state, double sign, Vec3 direction, double inner, double outer,
                 PovText* out) {
   constexpr double kDegrees = 180 / kPi;
@@ -194,7 +193,8 @@ std::vector<PovLamp> pov_lamps(const Scene& scene, int samples) {
   const auto lamp_area = [&](const Panel& panel) -> double& {
     return area_of_lamp[{scene.polygons[panel.polygon].object, scene.polygons[panel.polygon].material}];
   };
-  for (Panel& panel : panels) lamp_area(panel) += panel.area = area_of(panel);
+  for (Panel& panel : panels)
+    lamp_area(panel) += panel.area = area_of(panel.corners.data(), panel.corner_count);
   LampCutter cutter(scene);
   for (const Panel& panel : panels) {
     if (!(panel.area > 0)) continue;
@@ -208,8 +208,8 @@ void write_spot(const Spot& spot, const SpotState& state, const std::string& nam
   open_object(name, behind, out);
   write_cone(state, 1, state.direction, spot.inner, spot.outer, out);
   if (behind) {
-    // 1 - smoothstep from the other end: the whole half-space behind, less a cone about the reverse
-    // direction.
+    // What shines backwards is all light of the half-space behind, less that of a cone about the reverse
+    // direction, whose falloff is 1 - smoothstep.
     write_cone(state, 1, -state.direction, kPi / 2, kPi / 2, out);
     write_cone(state, -1, -state.direction, kPi - spot.outer, kPi - spot.inner, out);
   }

@@ -10,7 +10,7 @@
 
 namespace strad {
 
-// A piece of an emitting surface, at rest: `samples` of POV-Ray's lights along each of u and v.
+// A piece of an emitting surface, in rest coordinates, with `samples` x `samples` lights of POV-Ray.
 struct PovLamp {
   uint32_t material = 0;
   uint32_t body = 0;
@@ -20,9 +20,9 @@ struct PovLamp {
   int samples = 1;    // a power of two
 };
 
-// All emitting polygons in pieces, ordered by material: pairs of triangles that make a parallelogram are
-// joined, what is none is cut into ever smaller ones. About `samples`^2 lights for all of one object and
-// material together.
+// All emitting polygons in pieces, ordered by material. Pairs of triangles that make a parallelogram are
+// joined. A polygon that is no parallelogram is cut into ever smaller ones. All pieces of one object and
+// material together have about `samples`^2 lights.
 std::vector<PovLamp> pov_lamps(const Scene& scene, int samples);
 
 // Appends the declaration of an object that holds the light of a spot, or of the lamps [first, last).

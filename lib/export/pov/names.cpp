@@ -14,7 +14,8 @@ namespace {
 
 std::string folder_of(const std::string& path) { return path.substr(0, path.rfind('/') + 1); }
 
-// The part before the number, without what separates the two; or the name up to its extension.
+// The part of the name before the number, without the separator; without a number, the name up to its
+// extension.
 std::string base_of(const FilePattern& file) {
   std::string base = file.before();
   base.erase(file.numbered() ? base.find_last_not_of(".-_ ") + 1 : std::min(base.rfind('.'), base.size()));

@@ -1,5 +1,7 @@
 // An animation as files for POV-Ray: geometry once, the light of a frame in a small include, a scene, an
-// .ini. The layout and every name that the files declare: strad-pov(5).
+// .ini.
+//
+// strad-pov(5) describes the files and every name that they declare.
 #pragma once
 
 #include <memory>
@@ -14,8 +16,8 @@
 namespace strad {
 
 enum class PovLighting {
-  kBaked,   // --direct mesh: surfaces shine with their radiance, nothing else is needed
-  kLights,  // --direct pixel: surfaces shine with their indirect light; POV-Ray has lights for all others
+  kBaked,   // --direct mesh: surfaces emit their radiance; there are no lights
+  kLights,  // --direct pixel: surfaces emit reflected indirect light; POV-Ray's lights add the direct light
 };
 
 struct PovOptions {

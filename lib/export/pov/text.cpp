@@ -15,7 +15,7 @@ void append_number(Number number, std::string* text) {
   text->append(buffer, end);
 }
 
-// 10^-45 to 10^50: scales any float to five digits.
+// 10^-45 to 10^50, to scale any float to five digits.
 constexpr int kLowestPower = -45, kHighestPower = 50;
 const std::array<double, kHighestPower - kLowestPower + 1> kPowersOfTen = [] {
   std::array<double, kHighestPower - kLowestPower + 1> powers{};
@@ -55,7 +55,7 @@ void PovText::short_number(float number) {
     text_ += '0';
     return;
   }
-  // ilogb gives floor(log2); the power found is at most one too low.
+  // The decimal exponent from floor(log2): at most one too low.
   const int power = static_cast<int>(std::floor(std::ilogb(number) * 0.30102999566));
   double digits = number * power_of_ten(4 - power);
   int exponent = power - 4;

@@ -39,7 +39,8 @@ class PovText {
   std::string text_;
 };
 
-// What is left of names when all but letters, digits and _ become _; equal ones get _2, _3 and so on.
+// Names as identifiers: all characters but letters, digits and _ become _; of equal ones the later get _2, _3
+// and so on.
 std::vector<std::string> pov_identifiers(const std::vector<std::string>& names);
 
 }  // namespace strad

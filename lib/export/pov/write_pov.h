@@ -7,7 +7,7 @@
 namespace strad {
 
 // `request.raster.direct` chooses between POV-Ray's own lights and light baked into the surfaces. Throws
-// BadInput or IoError; a file is whole or absent.
+// BadInput or IoError; a file is complete or absent.
 void write_pov(const FrameRequest& request, const Progress& progress);
 
 }  // namespace strad

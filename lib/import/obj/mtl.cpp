@@ -137,9 +137,7 @@ void MtlScanner::statement(std::string_view word, std::string_view rest) {
       fail_at(name_, lines_.number(), "found " + in_quotes(word) + ", expected newmtl before all else");
     return property(word, rest);
   }
-  std::string name;
-  for (std::string_view part = next_word(&rest); !part.empty(); part = next_word(&rest))
-    name.append(name.empty() ? "" : " ").append(part);
+  const std::string name = single_spaced(rest);
   if (name.empty()) fail_at(name_, lines_.number(), "newmtl has no name");
   clean_ += "newmtl " + std::to_string(materials_.size()) + "\n";
   MtlMaterial& material = materials_.emplace_back();

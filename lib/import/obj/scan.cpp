@@ -115,14 +115,6 @@ class Scanner {
   bool object_changed_ = true, material_changed_ = true;
 };
 
-// The words of a name, separated by single blanks.
-std::string name_in(std::string_view rest) {
-  std::string name;
-  for (std::string_view word = next_word(&rest); !word.empty(); word = next_word(&rest))
-    name.append(name.empty() ? "" : " ").append(word);
-  return name;
-}
-
 // Checks all numbers and copies the first `kept`. A comment may follow them.
 void Scanner::numbers(std::string_view word, std::string_view rest, size_t least, size_t most, size_t kept) {
   size_t count = 0;
@@ -221,11 +213,11 @@ void Scanner::statement(std::string_view word, std::string_view rest) {
     return;
   }
   if (word == "o" || word == "g") {
-    if (word == "o") object_ = name_in(rest), group_.clear();
-    if (word == "g") group_ = name_in(rest);
+    if (word == "o") object_ = single_spaced(rest), group_.clear();
+    if (word == "g") group_ = single_spaced(rest);
     object_changed_ = true;
   } else if (word == "usemtl") {
-    material_ = name_in(rest);
+    material_ = single_spaced(rest);
     material_changed_ = true;
   } else if (word == "mtllib") {
     if (trimmed(rest).empty()) fail_at(name_, lines_.number(), "mtllib names no file");

@@ -1,7 +1,8 @@
 // Direct light at one point over many time samples.
 //
 // Between a point at rest and an emitter at rest, visibility changes only while a moving body may pass
-// between them. It is found once, and again only for the time samples of such cells.
+// between them. A shadow ray is traced once, and again only at the time samples of cells in which this may
+// happen.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace strad {
 
-// A point of a polygon, rest.
+// A point of a polygon, in rest coordinates.
 struct RestPoint {
   Vec3 position;
   Vec3 normal;  // unit, of the side that receives
@@ -22,16 +23,17 @@ struct RestPoint {
 
 class DirectOverTime {
  public:
-  // Keeps references. `instants`: one per time sample. `samples`: see DirectLight::emitter_samples.
+  // Keeps references. `instants`: one per time sample. `samples`: per emitter, see
+  // DirectLight::emitter_samples.
   DirectOverTime(const Scene& scene, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
                  const std::vector<Instant>& instants, int samples);
 
   // Irradiance at the given time samples, W / m^2. Equal `seed` gives equal shadow points.
-  std::vector<Rgb> irradiance(const RestPoint& point, const std::vector<uint32_t>& nodes, uint64_t seed,
-                              uint64_t* rays) const;
+  std::vector<Rgb> irradiance(const RestPoint& point, const std::vector<uint32_t>& time_samples,
+                              uint64_t seed, uint64_t* rays) const;
 
  private:
-  void add_still_emitters(const SurfacePoint& point, const std::vector<uint32_t>& nodes, uint64_t seed,
+  void add_still_emitters(const SurfacePoint& point, const std::vector<uint32_t>& time_samples, uint64_t seed,
                           std::vector<Rgb>* values, uint64_t* rays) const;
 
   const Scene& scene_;
@@ -41,7 +43,7 @@ class DirectOverTime {
   const std::vector<Instant>& instants_;
   DirectLight light_;
   int samples_;
-  Instant all_lit_;  // where no glow is off
+  Instant brightest_;  // the first instant, with each glow at its largest
   std::vector<bool> still_mask_, moving_mask_;
 };
 

@@ -67,11 +67,11 @@ void DirectPhase::value(uint32_t vertex, uint32_t cell, Rgb* values) const {
   }
 }
 
-std::vector<Rgb> DirectPhase::irradiance(uint32_t vertex, const std::vector<uint32_t>& nodes,
+std::vector<Rgb> DirectPhase::irradiance(uint32_t vertex, const std::vector<uint32_t>& time_samples,
                                          uint64_t* rays) const {
   const Face& face = builder_.mesh().faces[builder_.face_of_vertex(vertex)];
   const Vec3 normal = (face.side == 0 ? 1.0 : -1.0) * polygon_normal(scene_, scene_.polygons[face.polygon]);
-  return light_.irradiance({builder_.sample_point(vertex), normal, face.polygon}, nodes, vertex, rays);
+  return light_.irradiance({builder_.sample_point(vertex), normal, face.polygon}, time_samples, vertex, rays);
 }
 
 void DirectPhase::evaluate(const std::vector<uint32_t>& vertices,
@@ -86,7 +86,7 @@ void DirectPhase::evaluate(const std::vector<uint32_t>& vertices,
       f.cells = union_of(known.cells, cells[i]);
       f.cells.shrink_to_fit();
       const auto order = static_cast<uint32_t>(grid_.order);
-      std::vector<uint32_t> fresh;  // nodes
+      std::vector<uint32_t> fresh;  // time samples
       for (const uint32_t cell : f.cells)
         if (!std::binary_search(known.cells.begin(), known.cells.end(), cell))
           for (uint32_t k = 0; k < order; ++k) fresh.push_back(cell * order + k);
@@ -176,13 +176,13 @@ std::vector<uint32_t> DirectPhase::worthwhile_cells(const Work& work) const {
 }
 
 void DirectPhase::run() {
-  std::vector<uint32_t> all_nodes(grid_.sample_count());
-  std::iota(all_nodes.begin(), all_nodes.end(), 0u);
+  std::vector<uint32_t> all_samples(grid_.sample_count());
+  std::iota(all_samples.begin(), all_samples.end(), 0u);
   const Mesh& mesh = builder_.mesh();
   const auto of_undivided = [&](uint32_t face, uint64_t* rays) {
     std::vector<std::vector<Rgb>> values;
     const auto [first, count] = vertices_of_undivided(mesh, face);
-    for (uint32_t v = first; v < first + count; ++v) values.push_back(irradiance(v, all_nodes, rays));
+    for (uint32_t v = first; v < first + count; ++v) values.push_back(irradiance(v, all_samples, rays));
     return values;
   };
   undivided_rows_ = rows_of_undivided_faces(grid_, builder_, options_.tolerance, of_undivided, &rays_);

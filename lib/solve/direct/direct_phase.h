@@ -1,8 +1,8 @@
 // Direct light on the mesh, adaptive in space and time together.
 //
-// A vertex is evaluated only in the cells of time in which an element around it was worth splitting;
-// everywhere else its value is the mean of its parents' values. So a spot that sweeps a wall leaves fine
-// vertices that are alive for a moment each.
+// A vertex is evaluated only in the cells of time in which an element around it was worth splitting.
+// Everywhere else its value is the mean of its parents' values. So where a spotlight sweeps over a wall, each
+// fine vertex has values of its own only for the short time in which the edge of the beam passes.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,16 @@
 #include "solve/direct/direct_over_time.h"
 #include "solve/mesh/mesh_builder.h"
 #include "time/field.h"
-#include "time/scaled_function.h"
+#include "time/sparse_function.h"
 #include "time/time_grid.h"
 
 namespace strad {
 
-// Values at the nodes of some cells only: cells ascending, `order` values per cell.
-struct SparseFunction {
-  std::vector<uint32_t> cells;
-  FineFunction values;
-};
-
 struct DirectOptions {
-  double largest_element = 0.4;  // m: elements that light may reach are split down to this
-  double smallest_element = 0;   // m
+  double largest_element = 0.4;  // m: longer elements are always split
+  double smallest_element = 0;   // m: shorter ones are never split
   float threshold = 0;  // split while surplus radiance * sqrt(area / total area) exceeds it, W / (sr m^2)
-  float tolerance = 0;  // W / m^2: of the functions that are kept
+  float tolerance = 0;  // W / m^2: error of the functions that are kept
   int emitter_samples = 16;  // shadow rays per emitting polygon
 };
 
@@ -37,14 +31,14 @@ class DirectPhase {
   DirectPhase(const Scene& scene, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
               const std::vector<Instant>& instants, const DirectOptions& options, MeshBuilder* builder);
 
-  // Refines all faces that the builder holds.
+  // Evaluates direct light on all faces of the builder, and splits their elements where it asks for it.
   void run();
 
-  // Mean direct irradiance over an element at the nodes of some cells (ascending).
+  // Mean direct irradiance over an element at the time samples of some cells (ascending).
   std::vector<Rgb> mean_irradiance(uint32_t element, const std::vector<uint32_t>& cells) const;
 
-  // Surpluses of every vertex of the builder's mesh as it is now, with an error about the tolerance. Gives
-  // back the memory of the values.
+  // Surpluses (see MeshVertex) of every vertex that the builder's mesh has now, with an error of about the
+  // tolerance. Frees the values: mean_irradiance() must not be called afterwards.
   Field take_surpluses();
 
   uint64_t evaluations() const { return evaluations_; }
@@ -53,14 +47,15 @@ class DirectPhase {
  private:
   struct Work {
     uint32_t element;
-    std::vector<uint32_t> cells;  // in which it is to be split
+    std::vector<uint32_t> cells;  // of time, in which it is to be split
   };
-  // At a vertex and time samples.
-  std::vector<Rgb> irradiance(uint32_t vertex, const std::vector<uint32_t>& nodes, uint64_t* rays) const;
+  // At a vertex, one value per time sample asked for.
+  std::vector<Rgb> irradiance(uint32_t vertex, const std::vector<uint32_t>& time_samples,
+                              uint64_t* rays) const;
   void evaluate(const std::vector<uint32_t>& vertices, const std::vector<std::vector<uint32_t>>& cells);
   std::vector<Work> split(const std::vector<Work>& level);
   std::vector<uint32_t> worthwhile_cells(const Work& work) const;
-  // Value of a vertex at the nodes of a cell: its own, or the mean of its parents'.
+  // Values of a vertex at the time samples of a cell: its own, or the means of its parents' values.
   void value(uint32_t vertex, uint32_t cell, Rgb* values) const;
 
   const Scene& scene_;

@@ -26,7 +26,7 @@ FinalGather::FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeG
   }
 }
 
-// Cosine-distributed about the normal, rest: R2 points on the disk (Malley's method), shifted for each point.
+// Cosine-distributed about the normal, rest: R2 points on the disk (Malley 1988), shifted for each point.
 Vec3 FinalGather::direction(const Receiver& receiver, int ray) const {
   const double u0 = unit_from(mix64(receiver.seed)), v0 = unit_from(mix64(receiver.seed + 1));
   const Point2 xi = r2_point(static_cast<uint32_t>(ray), u0, v0);
@@ -221,8 +221,8 @@ GatheredFunction FinalGather::gather(const Receiver& receiver, uint64_t* rays) c
 
 GatheredFunction FinalGather::at_vertex(uint32_t vertex, uint64_t* rays) const {
   GatheredFunction f = gather(receiver_of_vertex(vertex), rays);
-  // Where most of the view is blocked by unlit surfaces the point is buried: its neighbours will speak for
-  // it.
+  // A point with most of its view blocked lies inside something. Its value will be replaced by its
+  // neighbours'.
   for (size_t i = 0; i < f.irradiance.size(); ++i)
     f.irradiance[i] = (1 / std::max(f.unblocked[i], 0.1f)) * f.irradiance[i];
   if (*std::min_element(f.unblocked.begin(), f.unblocked.end()) > kFree) f.unblocked = {};

@@ -1,11 +1,11 @@
 // Indirect irradiance at the vertices of the mesh: one gather by rays over the radiance that the links have
 // found.
 //
-// Links carry light well but mean it over patches; a ray sees exactly what a point sees, near things
-// included. A ray of a vertex at rest needs to be traced again only while a moving body is near it; vertices
-// of moving bodies trace theirs at key time samples, and what two neighbouring key time samples see is
-// blended between them, with the light of each very time sample. So the gather is as steady in time as the
-// motion.
+// Links carry the mean light of patches; rays find what a single point sees (a local pass: Reichert 1992). A
+// ray of a vertex at rest is traced again only in cells of time in which a moving body may meet it. Rays of
+// vertices of moving bodies are traced at the ends of up to 32 steps per span. In between, what the rays meet
+// at both ends is blended, with the radiance that it has at each time sample. So indirect light changes as
+// smoothly as things move.
 #pragma once
 
 #include <cstdint>
@@ -24,23 +24,25 @@ namespace strad {
 constexpr int kLeafRays = 128;
 constexpr float kLeastUnblocked = 0.2f;  // of the view of a leaf: below, its few free rays say too little
 
-struct GatheredFunction {
-  std::vector<Rgb>
-      irradiance;  // W / m^2, at every time sample, scaled up to what a free hemisphere would get
-  std::vector<float>
-      unblocked;  // at every node: share of the view not blocked by unlit surfaces; empty: all of it
+// What the rays of a receiver found at every time sample. `Values`: std::vector<Rgb>, or a ScaledFunction of
+// it.
+template <typename Values>
+struct Gathered {
+  Values irradiance;             // W / m^2, scaled up to what a free hemisphere would get
+  std::vector<float> unblocked;  // share of the view not blocked by unlit surfaces; empty: all of it
 };
+using GatheredFunction = Gathered<std::vector<Rgb>>;
 
 class FinalGather {
  public:
-  // `radiance`: [light] without emission (see NodeTree::leaf_at). `rays`: of a vertex or light of a large
-  // face; small ones get fewer, by their accuracy share. Keeps references.
+  // `radiance`: of the leaves, without emission (see NodeTree::leaf_at). `rays`: from a vertex or leaf of a
+  // large face; small faces get fewer, by their accuracy share. Keeps references.
   FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
               const FunctionBlock& radiance, int rays);
 
   // At a vertex, or over the uniform face that it stands for.
   GatheredFunction at_vertex(uint32_t vertex, uint64_t* rays) const;
-  // The mean over a light: each ray starts at another point of it. Not scaled up; `open` always filled.
+  // The mean over a leaf: each ray starts at another point of it. Not scaled up; `unblocked` is never empty.
   GatheredFunction over_leaf(uint32_t leaf, uint64_t* rays) const;
 
   // What the rays of a leaf meet, as shares of all: surfaces that take part, and unlit ones. Where a node is

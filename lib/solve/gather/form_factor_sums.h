@@ -1,4 +1,4 @@
-// What the form factors of each leaf should add up to, by rays.
+// The sums that the form factors of each leaf should have, by rays.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Indirect light on the mesh: a final gather at vertices, refined in space while it surprises.
+// Indirect light on the mesh: a final gather at its vertices, split where interpolation is not exact enough.
 #pragma once
 
 #include <cstdint>
@@ -35,11 +35,7 @@ class IndirectPhase {
   uint64_t rays() const { return rays_; }
 
  private:
-  // What FinalGather found, at half the memory.
-  struct VertexFunction {
-    CoarseFunction irradiance;     // W / m^2, at every time sample; empty where none was wanted
-    std::vector<float> unblocked;  // as in GatheredFunction
-  };
+  using VertexFunction = Gathered<CoarseFunction>;  // a third of the memory
   void evaluate(const std::vector<uint32_t>& vertices);
   bool worth_splitting(uint32_t element) const;
   bool is_partly_blocked(uint32_t element) const;
@@ -56,7 +52,7 @@ class IndirectPhase {
   IndirectOptions options_;
   MeshBuilder& builder_;
   double total_area_ = 0;
-  std::vector<VertexFunction> functions_;  // a vertex; empty where none was wanted
+  std::vector<VertexFunction> functions_;  // [vertex]; empty where none was asked for
   std::vector<uint32_t> visited_;          // elements whose corners have functions
   Field undivided_rows_;                   // of the vertices of undivided faces
   uint64_t rays_ = 0;

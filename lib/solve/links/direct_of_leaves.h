@@ -10,11 +10,11 @@
 
 namespace strad {
 
-// Mean direct irradiance, W / m^2, of the leaves that are not uniform faces. To be asked for before the
-// surpluses are taken from the phase, since that frees the values at the vertices.
+// Mean direct irradiance, W / m^2, of the leaves that are not uniform faces. REQUIRES: the surpluses were not
+// yet taken from `phase`, since that frees the values at the vertices.
 FunctionBlock direct_of_divided_leaves(const Workspace& work, const DirectPhase& phase);
 
-// Mean direct irradiance of all leaves: from the block above, and for uniform faces, of which there may be a
+// Mean direct irradiance of all leaves: from such a block, and for uniform faces, of which there may be a
 // million, from the rows of their vertices.
 class DirectOfLeaves {
  public:

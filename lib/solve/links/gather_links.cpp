@@ -5,7 +5,7 @@
 namespace strad {
 namespace {
 
-constexpr size_t kMostSamples = 64;  // of a block
+constexpr size_t kMostSamples = 64;  // time samples of a block
 
 // Kernel of a dynamic link at each of the time samples; zero outside its interval.
 void kernel_at(const TimeGrid& grid, const LinkTable::Dynamic& link,
@@ -20,7 +20,7 @@ void kernel_at(const TimeGrid& grid, const LinkTable::Dynamic& link,
     double weights[kMaxOrder];
     lagrange_weights(grid.order, s, weights);
     for (uint32_t k = 0; k < order; ++k) kernel[i] += static_cast<float>(weights[k]) * link.kernel[k];
-    kernel[i] = std::max(kernel[i], 0.0f);  // a polynomial may undershoot where visibility steps
+    kernel[i] = std::max(kernel[i], 0.0f);  // near a step of visibility, a polynomial may fall below 0
   }
 }
 
@@ -46,7 +46,7 @@ LinkGather::LinkGather(const TimeGrid& grid, const NodeTree& tree, const LinkTab
   }
 }
 
-// From one node's centre to another's at a time sample, in the frame of the former.
+// The vector from one node's centre to another's at a time sample, in the frame of the first one's body.
 Vec3 LinkGather::towards(const Node& from, const Node& to, size_t time_sample) const {
   if (from.body == to.body) return to.centre - from.centre;
   const std::vector<Pose>& poses = instants_[time_sample]->world_from_body;
@@ -56,7 +56,7 @@ Vec3 LinkGather::towards(const Node& from, const Node& to, size_t time_sample) c
 LinkGather::End LinkGather::receiving_end(const Node& p, const Node& q, size_t time_sample) const {
   if (!p.is_cluster()) return {{p.slot}, {1}, 1};
   End end{{}, {}, 3};
-  if (!(length2(towards(p, q, time_sample)) > 0)) {  // no direction: all sides alike
+  if (!(length2(towards(p, q, time_sample)) > 0)) {  // no direction, so all lobes take part alike
     for (uint32_t l = 0; l < kLobes; ++l) end.slot[l] = p.slot + l, end.weight[l] = 1;
     end.count = kLobes;
     return end;
@@ -69,7 +69,7 @@ LinkGather::End LinkGather::receiving_end(const Node& p, const Node& q, size_t t
   return end;
 }
 
-// A cluster's radiance is the mean of its lobes by the area that each shows.
+// The radiance of a cluster is the mean over its lobes, weighted by the area that each shows.
 LinkGather::End LinkGather::emitting_end(const Node& p, const Node& q, size_t time_sample) const {
   End end = receiving_end(q, p, time_sample);
   if (!q.is_cluster()) return end;

@@ -1,6 +1,8 @@
-// The kernel of a link: mean irradiance at the receiver from an emitter of unit radiance, visibility
-// included, at quadrature and control points and instants. Either end may be a patch or a cluster; rays
-// run from surface point to surface point, so the shadows that clusters cast on themselves are part of it.
+// The kernel of a link: mean irradiance at the receiver from an emitter of unit radiance, with visibility.
+//
+// It is sampled at quadrature points and Gauss nodes of time; control points and control instants between
+// them tell its error. Either end may be a patch or a cluster. Rays run from surface point to surface point,
+// so the shadows that clusters cast on themselves are part of it.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +16,17 @@
 
 namespace strad {
 
-// What refinement needs to know of one candidate link on one interval.
+// The kernel of a possible link on one interval, and its errors.
 struct KernelEstimate {
   // Mean over the receiver at the Gauss time samples of the interval, in [0, pi].
   float kernel[kMaxOrder] = {0, 0, 0};
-  // Rms over control points of the kernel minus the represented one, largest of all time samples.
+  // Root mean square over control points of the difference between the kernel there and `kernel`, at the time
+  // sample or control instant where it is largest.
   float receiver_error = 0;
-  // What an emitter whose radiance differs by 1 (rms) over its parts may add to the irradiance; largest of
-  // all time samples.
+  // The error of irradiance if the radiance of the emitter's parts differs from their mean by 1 (rms), at the
+  // time sample or control instant where it is largest.
   float emitter_error = 0;
-  float time_error = 0;  // rms over control instants of the mean kernel minus the represented one
+  float time_error = 0;  // rms over control instants of the difference between the mean kernel and `kernel`
   bool dynamic = false;  // the kernel may change on the interval
   bool known = false;    // the estimate has been made
 };

@@ -30,8 +30,8 @@ int receiver_points(const NodeTree& tree, const Node& receiver, const Pose& pose
 int emitter_parts(const NodeTree& tree, const Node& emitter, const Pose& pose, Vec3 towards,
                   EmitterPart* parts);
 
-// Irradiance at a point from a part of unit radiance, unoccluded; a disk of its area, which near by gives no
-// more than all of the view.
+// Unoccluded irradiance at a point from a part of unit radiance, as from a disk of its area (Wallace,
+// Elmquist & Haines 1989). So it is never more than that of a full view, however close the part is.
 double unoccluded_irradiance(const ReceiverPoint& x, const EmitterPart& part);
 
 }  // namespace strad

@@ -38,8 +38,8 @@ Exchange exchange_of(const KernelPair& pair, int control) {
 }
 
 // What arrives of `unoccluded`, the sum of what the parts would give to point `i` (`from`), as a few rays
-// see. Always the same pairs, those of no exchange left out: visibility must not depend on the time sample
-// but for what moves.
+// see. The same pairs at every time sample, except those without exchange: visibility may change only with
+// what moves.
 double arriving(const KernelPair& pair, const Exchange& e, int i, const double* from, double unoccluded,
                 KernelCounts* counts) {
   const double offset = pair.tracer.offset();
@@ -96,7 +96,7 @@ double receiver_error(const Exchange& e) {
   return std::sqrt(error2);
 }
 
-// `visible`: share of the unoccluded irradiance that arrives. Where it is partial it is not known which parts
+// `visible`: share of the unoccluded irradiance that arrives. If it is partial, it is not known which parts
 // are hidden.
 double emitter_error(const Exchange& e, double visible) {
   double uneven = 0;

@@ -8,7 +8,7 @@
 namespace strad {
 namespace {
 
-// Radiance that leaves reflect of direct light at the nodes of some cells: [slot][time sample].
+// Radiance that leaves reflect of direct light, at the time samples of some cells: [slot][time sample].
 std::vector<Rgb> direct_of_slots(const Workspace& work, const DirectOfLeaves& direct, uint32_t first_cell,
                                  uint32_t cells) {
   const NodeTree& tree = work.tree;
@@ -40,7 +40,8 @@ std::vector<Rgb> direct_of_slots(const Workspace& work, const DirectOfLeaves& di
   return radiance;
 }
 
-// Radiance of the leaves at the time samples of a block, from the light that links brought.
+// Stores the radiance of the leaves at the time samples of a block, from the irradiance that links have
+// carried.
 void store_block(const Workspace& work, const DirectOfLeaves& direct, const NodeLight& light,
                  uint32_t first_cell, uint32_t cells, FunctionBlock* radiance) {
   const NodeTree& tree = work.tree;
@@ -69,7 +70,8 @@ void store_block(const Workspace& work, const DirectOfLeaves& direct, const Node
 
 LeafRadiance propagate_to_leaves(const Workspace& work, const DirectOfLeaves& direct,
                                  const TransportInput& input) {
-  constexpr uint32_t kBlock = 12;  // time samples: some thousand nodes' functions stay in the cache
+  constexpr uint32_t kBlock =
+      12;  // time samples of a block: so few that the values of some thousand nodes fit in the cache
   const auto order = static_cast<uint32_t>(work.grid.order);
   const uint32_t cells = work.grid.cell_count(), block_cells = std::max(1u, kBlock / order);
   LeafRadiance result{FunctionBlock(work.tree.leaf_count(), leaves_of(work.tree), work.grid.sample_count())};

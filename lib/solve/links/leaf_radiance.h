@@ -8,11 +8,11 @@ namespace strad {
 
 struct LeafRadiance {
   FunctionBlock radiance;  // W / (sr m^2), reflected
-  int iterations = 0;      // of the block of time samples that took most
-  double residual = 0;     // the largest of all blocks
+  int iterations = 0;      // of the block of time samples with the most
+  double residual = 0;     // of the block with the largest
 };
 
-// `input.direct` need not be set.
+// Propagates light along links at all time samples, block after block. `input.direct` need not be set.
 LeafRadiance propagate_to_leaves(const Workspace& work, const DirectOfLeaves& direct,
                                  const TransportInput& input);
 

@@ -13,7 +13,7 @@
 
 namespace strad {
 
-// What the solve works on. All must outlive the functions that take it.
+// What the functions of the solve work on. It must outlive what keeps it.
 struct Workspace {
   const TimeGrid& grid;
   const NodeTree& tree;
@@ -35,7 +35,7 @@ std::vector<uint32_t> leaves_of(const NodeTree& tree);
 // Radiance times area, added up over leaves, time samples and channels.
 double total_of(const NodeTree& tree, const FunctionBlock& radiance);
 
-// Mean radiance over area and time of the leaves that are lit.
+// Mean radiance over area and time of the leaves, W / (sr m^2).
 double mean_radiance(const NodeTree& tree, const FunctionBlock& radiance);
 
 }  // namespace strad

@@ -7,8 +7,8 @@
 namespace strad {
 namespace {
 
-constexpr uint32_t kProbeSamples = 32;
-constexpr size_t kBlock = 8;  // of probe time samples, propagated together
+constexpr uint32_t kProbeSamples = 32;  // time samples at which the oracle knows the light
+constexpr size_t kBlock = 8;            // of them, propagated together
 
 std::vector<uint32_t> spread_samples(uint32_t count, uint32_t wanted) {
   std::vector<uint32_t> time_samples;
@@ -17,7 +17,7 @@ std::vector<uint32_t> spread_samples(uint32_t count, uint32_t wanted) {
   return time_samples;
 }
 
-// Light of the nodes at the probe time samples goes back to the oracle, which weighs links by it.
+// Propagates light at the probe samples, and gives it to the oracle, which weighs links by it.
 void update(const TransportInput& input, const std::vector<uint32_t>& probe_samples, Refinement* refinement) {
   for (size_t first = 0; first < probe_samples.size(); first += kBlock) {
     const auto begin = probe_samples.begin() + static_cast<std::ptrdiff_t>(first);
@@ -52,12 +52,12 @@ RefinedLinks refine_links(const Workspace& work, const std::vector<Instant>& ins
   TransportInput input = input_of(work, instants, links, options.residual);
   Refinement refinement(work.grid, kernels, direct, probe_samples, tree);
   input.direct = [&](size_t slot, size_t probe) { return refinement.direct(slot, probe); };
-  for (const double looseness : {16.0, 4.0, 1.0}) {
-    refinement.refine({looseness * options.threshold, options.smallest_radius});
+  for (const double factor : {16.0, 4.0, 1.0}) {
+    refinement.refine({factor * options.threshold, options.smallest_radius});
     links.table = make_link_table(work.grid, static_cast<uint32_t>(tree->nodes().size()), refinement.links());
     links.reflections = reflections_of(*tree);
     links.form_factor_sums = form_factor_sums(&links.form_factor_rays);
-    if (looseness > 1) update(input, probe_samples, &refinement);
+    if (factor > 1) update(input, probe_samples, &refinement);
   }
   links.count = refinement.links().size();
   links.counts = refinement.counts();

@@ -1,5 +1,7 @@
-// The links of the solve: refined from the first pair of clusters on, in rounds of falling thresholds, each
-// followed by a propagation that tells the oracle how bright the emitters are.
+// The links of the solve, refined in three rounds with falling thresholds.
+//
+// They start from all pairs of root clusters. After a round light is propagated along the links, so that the
+// oracle knows in the next round how bright the emitters are.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +21,8 @@ struct LinkOptions {
   double residual = 1e-4;      // of propagation (TransportInput)
 };
 
-// What the form factors of each leaf should add up to, by node, for the tree as it is. Adds the rays traced.
+// The sum that the form factors of each leaf should have, by node, for the tree as it is. Adds the rays
+// traced.
 using FormFactorSums = std::function<std::vector<float>(uint64_t* rays)>;
 
 struct RefinedLinks {
@@ -36,7 +39,7 @@ RefinedLinks refine_links(const Workspace& work, const std::vector<Instant>& ins
                           const LinkOptions& options, const DirectPhase& direct,
                           const FormFactorSums& form_factor_sums, NodeTree* tree);
 
-// For propagation along these links; its `direct` is not yet set. Points to all arguments.
+// The input of a propagation along these links, without its `direct`. Keeps pointers to all arguments.
 TransportInput input_of(const Workspace& work, const std::vector<Instant>& instants,
                         const RefinedLinks& links, double residual);
 

@@ -9,14 +9,15 @@
 
 namespace strad {
 
-// Adds kernel(t) * L_emitter(t) to the irradiance of the receiver on its interval.
+// Transport from one node to another on an interval of time: kernel(t) * L_emitter(t) of the irradiance of
+// the receiver comes along the link.
 struct Link {
   uint32_t receiver = 0, emitter = 0;
   Interval interval;
   KernelEstimate estimate;
 };
 
-// The links in the order in which a gather wants them.
+// The links ordered by receiver: first those whose kernel never changes, and apart from them all others.
 struct LinkTable {
   struct Still {
     uint32_t emitter;

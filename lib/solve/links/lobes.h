@@ -1,9 +1,9 @@
 // The six directions along the axes of a body's frame, in which clusters keep light from different sides
 // apart: lobe 2 * axis faces along the axis, lobe 2 * axis + 1 against it.
 //
-// Light of a surface with normal n is shared among lobes by the squares of n's components, which add up to 1,
-// so no power is lost; a cluster seen from a direction d shows each lobe by its area times the component of
-// d. A box along the axes is exact.
+// Light of a surface with normal n is divided among lobes by the squares of n's components, which add up to
+// 1, so no power is lost (as in the ambient cube, McTaggart 2004). Seen from a direction d, each lobe shows
+// its area times the component of d along its axis. For a box along the axes this is exact.
 #pragma once
 
 #include <cmath>
@@ -32,8 +32,8 @@ inline LobeWeights lobes_of_normal(Vec3 normal) {
   return w;
 }
 
-// How strongly each lobe takes part in an exchange of a cluster, whose share of area in each lobe is
-// `share`, along `direction` (away from the cluster, in its frame, any length): the mean over the area is 1.
+// How strongly each lobe of a cluster takes part in an exchange along `direction` (away from the cluster, in
+// its frame, any length). The mean over the cluster's area is 1. `share`: each lobe's share of that area.
 inline LobeWeights lobes_towards(Vec3 direction, const float* share) {
   LobeWeights w;
   float mean = 0, all = 0;
@@ -43,7 +43,7 @@ inline LobeWeights lobes_towards(Vec3 direction, const float* share) {
     mean += share[w.lobe[axis]] * w.weight[axis];
     all += w.weight[axis];
   }
-  // A cluster that shows next to nothing in a direction exchanges nothing there: its kernel is 0.
+  // A cluster that shows almost no area in a direction exchanges nothing there: its kernel is 0.
   const float least = 0.02f * all;
   for (float& weight : w.weight) weight = all > 0 ? weight / std::fmax(mean, least) : 1.0f;
   return w;

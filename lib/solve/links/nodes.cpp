@@ -10,7 +10,7 @@
 namespace strad {
 namespace {
 
-// Groups of so few faces stay flat: steps of the octree would cost more links than they save.
+// Groups of so few faces get no further steps of the octree, which would cost more links than they save.
 constexpr uint32_t kFlat = 8;
 
 Box box_of(const Scene& scene, const Face& face) {
@@ -121,7 +121,7 @@ uint32_t NodeTree::add_cluster(uint32_t first_face, uint32_t face_count, uint32_
   return index;
 }
 
-// One point in each of kSamples equal shares of the area, faces in their order, so neighbours are apart.
+// One point in each of kSamples equal shares of the area, in the order of the faces (stratified sampling).
 void NodeTree::sample(Cluster* cluster, double area, uint64_t seed) const {
   uint32_t i = cluster->first_face;
   const uint32_t last = cluster->first_face + cluster->face_count - 1;
@@ -149,8 +149,8 @@ void NodeTree::split(uint32_t node) {
   nodes_[node].child_count = 4;
 }
 
-// A step of the octree: faces no larger than an octant of the cube about the cluster go to the octant that
-// holds their centre; larger ones become children themselves.
+// A step of the octree (Christensen et al. 1997). Faces no larger than an octant of the cube about the
+// cluster go to the octant that holds their centre. Larger faces become children themselves.
 void NodeTree::split_cluster(uint32_t n) {
   const Cluster cluster = clusters_[nodes_[n].cluster];
   const auto begin = cluster_faces_.begin() + cluster.first_face;
@@ -166,7 +166,7 @@ void NodeTree::split_cluster(uint32_t n) {
     groups[own ? 0 : 1 + octant].push_back(face);
   }
   for (size_t g = 1; g < groups.size(); ++g) {
-    if (groups[g].size() == cluster.face_count) {  // all centres in one place: halve the list
+    if (groups[g].size() == cluster.face_count) {  // all centres in one octant: halve the list
       const auto middle = groups[g].begin() + static_cast<ptrdiff_t>(groups[g].size() / 2);
       groups[g == 1 ? 2 : 1].assign(middle, groups[g].end());
       groups[g].erase(middle, groups[g].end());

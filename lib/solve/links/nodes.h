@@ -1,9 +1,9 @@
 // The spatial hierarchy of the solve: clusters of surfaces, surfaces and their patches, in the frame of one
 // body.
 //
-// It is lazy. It starts with one cluster per body; children appear only where refinement asks for them, one
-// step of a tight-fitting octree at a time (Christensen et al. 1997), and a surface has a node only once its
-// cluster was split that far.
+// It is built lazily. At first there is one cluster per body. Where refinement asks for it, a cluster is
+// split by one step of an octree with tight-fitting boxes (Christensen et al. 1997). So a surface has a node
+// only once all clusters above it were split.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ struct Node {
   bool is_leaf() const { return first_child == kNone; }
 };
 
-// A point of a cluster's surfaces that stands for its share of their area.
+// A point of a cluster's surfaces. Each of them represents an equal share of the area.
 struct SurfaceSample {
   Vec3 position, normal;  // rest; of the side that takes part
 };

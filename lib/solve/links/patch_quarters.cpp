@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "light/emitter.h"
+#include "scene/polygon_geometry.h"
 
 namespace strad {
 namespace {
 
 Quarter finish(Quarter quarter) {
   const Vec3* c = quarter.corners;
-  quarter.area = 0.5 * length(cross(c[1] - c[0], c[2] - c[0]));
-  if (quarter.count == 4) quarter.area += 0.5 * length(cross(c[2] - c[0], c[3] - c[0]));
+  quarter.area = area_of(c, quarter.count);
   for (int i = 0; i < quarter.count; ++i) quarter.centre += c[i] / quarter.count;
   quarter.radius = 0;
   for (int i = 0; i < quarter.count; ++i)
@@ -39,7 +39,7 @@ void quarters_of(const PatchPoints& patch, const Pose& pose, Quarter* quarters) 
 double unoccluded_irradiance(Vec3 x, Vec3 normal, const Quarter& quarter, Vec3 emitter_normal) {
   const Vec3 to = quarter.centre - x;
   const double distance2 = length2(to);
-  // Beyond 4 radii a point serves: the error falls with the square of the ratio, here below 2 %.
+  // Beyond 4 radii a point is exact enough: the error falls with the square of the ratio, here below 2 %.
   if (distance2 < 16 * quarter.radius * quarter.radius) {
     if (!(dot(x - quarter.centre, emitter_normal) > 0)) return 0;
     return unit_irradiance(x, normal, quarter.corners, quarter.count);

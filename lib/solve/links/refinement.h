@@ -24,7 +24,7 @@ struct RefinementCounts {
 
 class Refinement {
  public:
-  // Keeps references. `time samples`: time samples at which radiance is probe, ascending.
+  // Keeps references. `time_samples`: the probe samples, at which it will know radiance; ascending.
   Refinement(const TimeGrid& grid, const KernelEvaluator& kernels, const DirectPhase& direct,
              const std::vector<uint32_t>& time_samples, NodeTree* tree);
 

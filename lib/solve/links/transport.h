@@ -1,12 +1,14 @@
 // Propagation of light along links: gather, push and pull, a block of time samples at a time.
 //
-// Light transport couples no two time samples, so a block of time samples is iterated to the end on its own:
-// its working set stays in cache, blocks are shared among threads, and memory does not grow with the length
-// of the animation.
+// Light at one time sample does not depend on light at another. So each block of time samples is iterated on
+// its own until it converges: its data fit in the cache, threads share the blocks, and memory does not grow
+// with the length of the animation.
 //
-// A patch has one function of time, a cluster one for each lobe (lobes.h): the mean radiance of its surfaces
-// that face there, or their mean irradiance. What a link costs does not depend on how many surfaces its ends
-// hold.
+// A patch has one function of time. A cluster has one for each lobe (lobes.h): the mean radiance, or
+// irradiance, of its surfaces that face that way. So the cost of a link does not depend on the number of
+// surfaces at its ends.
+//
+// Gather, immediate push and delayed pull are those of the paper (Damez, Holzschuch & Sillion 2001).
 #pragma once
 
 #include <cstdint>
@@ -36,7 +38,7 @@ struct TransportInput {
   // Radiance that a leaf reflects of direct light at a column, by slot, W / (sr m^2).
   std::function<Rgb(size_t slot, size_t column)> direct;
   const std::vector<ClusterReflection>* reflections = nullptr;
-  // What the kernels of each leaf should add up to, in units of pi, by node; null: as they are. See
+  // The sum that the kernels of each leaf should have, in units of pi, by node; null: no scaling. See
   // balance().
   const std::vector<float>* form_factor_sums = nullptr;
   double residual = 1e-3;  // largest mean change of radiance, relative
@@ -52,17 +54,18 @@ struct NodeLight {
   double residual = 0;
 };
 
-// Solves for the light at `time_samples` (ascending). `first_column`: of the direct light, for
-// the first time sample; the others follow.
+// Solves for the light at `time_samples` (ascending) by Jacobi iteration. `first_column`: the column of
+// `input.direct` that holds the first time sample; the others follow.
 NodeLight propagate(const TransportInput& input, const std::vector<uint32_t>& time_samples,
                     uint32_t first_column);
 
 // Energy balance: what propagate() scales gathered irradiance by, so that the exchange of every leaf adds up
 // to its form factor sums at every time sample: [slot * time_samples.size() + i], leaves only.
 //
-// In a closed scene the form factors of a patch add up to 1. The error of each link is below a threshold but
-// thousands of them err with one sign, so one gather of unit radiance gives the scale. No lobe
-// gets more than a full view (pi), so that the iteration always converges, however coarse the links.
+// In a closed scene the form factors of a patch add up to 1. The error of each link is below a threshold, but
+// thousands of them may err with the same sign. One gather of unit radiance tells their sum, and so the
+// scale. No lobe gets more irradiance of it than pi, that of a full view, so that the iteration converges,
+// however coarse the links are.
 std::vector<float> balance(const TransportInput& input, const std::vector<uint32_t>& time_samples);
 
 }  // namespace strad

@@ -8,10 +8,10 @@
 namespace strad {
 namespace {
 
-// A flat of small faces with more corners a face than this is not much of a flat.
+// Small faces in one plane are treated as one large face if they have no more corners per face than this.
 constexpr double kCornersAFace = 1.25;
 
-// Polygons smaller than `small` that continue across half of their edges or more with little of a bend.
+// Polygons smaller than `small` of which at least half the edges lead to a neighbour at a small angle.
 std::vector<bool> curved_polygons(const Scene& scene, const PolygonJoints& joints, double small) {
   std::unordered_map<uint64_t, uint32_t> first_user;  // of an edge; looked up only, never iterated
   std::vector<int> continued(scene.polygons.size(), 0);
@@ -30,8 +30,8 @@ std::vector<bool> curved_polygons(const Scene& scene, const PolygonJoints& joint
   return curved;
 }
 
-// Of the small sides, those in flats whose faces hardly share corners. Small sides that share corners in one
-// plane are judged together, or the rim of a flat would differ.
+// Of the small sides, those that are not treated as parts of one large face in their plane. Small sides that
+// share corners in one plane are treated alike. Otherwise those at the rim would differ.
 std::vector<bool> sides_in_no_flat(const Scene& scene, const PolygonJoints& joints,
                                    const std::vector<bool>& is_small) {
   const auto sides = static_cast<uint32_t>(is_small.size());

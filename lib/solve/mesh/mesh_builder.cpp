@@ -66,7 +66,7 @@ void MeshBuilder::add_undivided_face(uint32_t polygon, uint32_t side) {
 }
 
 std::vector<std::vector<uint32_t>> MeshBuilder::curved_neighbours() const {
-  std::unordered_map<uint64_t, uint32_t> waiting;  // of a side's edge, the first face; only looked up
+  std::unordered_map<uint64_t, uint32_t> waiting;  // by edge of a side, the first face; looked up only
   std::vector<std::vector<uint32_t>> neighbours(undivided_faces_);
   const auto is_uniform_face = [&](uint32_t f) { return is_uniform(mesh_.elements[mesh_.faces[f].element]); };
   for (uint32_t f = 0; f < undivided_faces_ && is_uniform_face(f); ++f) {
@@ -126,8 +126,8 @@ Vec3 MeshBuilder::centre_of(uint32_t element) const {
 }
 
 uint32_t MeshBuilder::add_vertex(MeshVertex vertex, uint32_t element) {
-  // 2 % of the element inwards keeps clear of walls that the edge touches, and is less than light can
-  // resolve.
+  // 2 % of the element inwards is clear of walls that the edge touches, and makes no visible difference to
+  // light.
   sample_points_.push_back(lerp(vertex.position, centre_of(element), 0.02));
   face_of_vertex_.push_back(face_of_element_[element]);
   mesh_.vertices.push_back(vertex);

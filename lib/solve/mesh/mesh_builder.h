@@ -19,26 +19,27 @@ class MeshBuilder {
 
   // The face of that side of a polygon; made with a single element when it is first asked for.
   uint32_t face(uint32_t polygon, uint32_t side);
-  // Makes the faces of all sides with reached[2 * polygon + side]. Those smaller than `small` (m) are
-  // undivided, never to be split: uniform where they are parts of curved surfaces or smaller than half of
-  // that, with vertices of their own at their corners otherwise. Fine flats, whose faces share most corners
-  // with neighbours in their plane, are as large faces.
+  // Makes the faces of all sides with reached[2 * polygon + side]. Faces with no edge as long as `small` (m)
+  // are undivided: they are never split. An undivided face is uniform if it is part of a curved surface or
+  // smaller than half of `small`; otherwise it has vertices of its own at its corners. Small faces that share
+  // most of their corners with neighbours in one plane are not undivided.
   void add_faces(const std::vector<bool>& reached, double small);
-  // Faces below this are undivided, and vertices below that are theirs, in the same order.
+  // Undivided faces and their vertices come first: those with indices below these numbers, in the same order.
   uint32_t undivided_faces() const { return undivided_faces_; }
   uint32_t undivided_vertices() const { return undivided_vertices_; }
-  // By uniform face: those across each of its edges that continue it with little of a bend; none where any of
-  // them is missing.
+  // By uniform face: the neighbours across its edges, if there is one at a small angle across each of them;
+  // else none.
   std::vector<std::vector<uint32_t>> curved_neighbours() const;
-  // How much of an error a face shows, by its longest edge: 1/5 (small ones, which may be less exact) to 1.
+  // By the longest edge of a face, how exact its light must be: 1 for large faces, down to 1/5 for small
+  // ones, whose errors show less.
   double accuracy_share(uint32_t face) const;
   // Makes the four children of a leaf; their new vertices go to the end of the list.
   void split(uint32_t element);
 
   uint32_t face_of(uint32_t element) const { return face_of_element_[element]; }
   uint32_t parent_of(uint32_t element) const { return parent_of_element_[element]; }
-  // A point of the surface close to the vertex but inside the element that made it, so that it never lies on
-  // an edge of its polygon; rest. And the face and size (m) of that element.
+  // A point of the surface, in rest coordinates, close to the vertex but inside the element that made the
+  // vertex. So it never lies on an edge of its polygon. And the face of that element.
   Vec3 sample_point(uint32_t vertex) const { return sample_points_[vertex]; }
   uint32_t face_of_vertex(uint32_t vertex) const { return face_of_vertex_[vertex]; }
 
@@ -47,8 +48,8 @@ class MeshBuilder {
   // The five (quad) or three (triangle) vertices that splitting has added inside and around a split element.
   int middles(uint32_t element, uint32_t* vertices) const;
 
-  // Vertices that hang on the edge of a larger leaf: their value must be the mean of their parents' values,
-  // or the surface would be torn. One flag per vertex.
+  // Vertices that lie in the middle of an edge of a larger leaf (hanging vertices). Their values must be the
+  // means of their parents' values, or light would jump across the edge. One flag per vertex.
   std::vector<bool> hanging_vertices() const;
 
   Mesh take() { return std::move(mesh_); }

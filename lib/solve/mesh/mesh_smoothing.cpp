@@ -8,12 +8,13 @@
 namespace strad {
 namespace {
 
-constexpr double kOpposite = 1e-3;  // of the distance
+constexpr double kOpposite = 1e-3;  // of their distance: by so much two neighbours may fail to be opposite
 
-// Vertices of one class have no neighbours in it, so they may be changed in parallel.
+// Divides the vertices with pairs into classes. No two vertices of a class are neighbours, so all of them can
+// be changed in parallel (greedy colouring).
 std::vector<std::vector<uint32_t>> independent_classes(const std::vector<std::vector<NeighbourPair>>& pairs) {
   std::vector<uint32_t> class_of(pairs.size(), kNone);
-  std::vector<std::vector<uint32_t>> users(pairs.size());  // that have it for a neighbour
+  std::vector<std::vector<uint32_t>> users(pairs.size());  // vertices that have it as a neighbour
   for (uint32_t v = 0; v < pairs.size(); ++v)
     for (const NeighbourPair& pair : pairs[v])
       for (const uint32_t n : {pair.a, pair.b}) users[n].push_back(v);
@@ -33,7 +34,7 @@ std::vector<std::vector<uint32_t>> independent_classes(const std::vector<std::ve
   return classes;
 }
 
-// What a vertex differs from the mean of a pair.
+// The mean of a pair minus the vertex's own function.
 std::vector<Rgb> difference_of(const std::vector<Rgb>& own, const CoarseFunction& a,
                                const CoarseFunction& b) {
   std::vector<Rgb> difference(own.size());

@@ -12,9 +12,10 @@
 namespace strad {
 namespace {
 
-const double kCosCurved = std::cos(30 * kPi / 180);  // of a bend between parts of one curved surface
+// Of the largest angle between parts of one curved surface.
+const double kCosCurved = std::cos(30 * kPi / 180);
 
-// For each vertex the first vertex at the same place, so that faces meet where only their positions agree.
+// For each vertex the first vertex at the same place. So faces meet even if the file repeats their vertices.
 std::vector<uint32_t> merged_positions(const std::vector<Vec3>& vertices) {
   std::vector<uint32_t> order(vertices.size()), first(vertices.size());
   std::iota(order.begin(), order.end(), 0u);

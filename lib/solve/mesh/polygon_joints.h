@@ -24,14 +24,14 @@ class PolygonJoints {
   explicit PolygonJoints(const Scene& scene);  // keeps a reference
 
   CornerKey corner(uint32_t polygon, uint32_t side, int corner) const;
-  // Equal for edges of the same ends. From that corner to the next.
+  // Of the edge from that corner to the next; equal for edges with the same ends.
   uint64_t edge(uint32_t polygon, int corner) const;
-  // Do two polygons that meet belong to one surface, with little of a bend between them?
+  // Are two polygons that meet parts of one surface: of one body, at a small angle?
   bool continues(uint32_t polygon, uint32_t other) const;
 
  private:
   const Scene& scene_;
-  std::vector<uint32_t> position_of_vertex_;  // scene vertex: index of the first at the same place
+  std::vector<uint32_t> position_of_vertex_;  // by vertex of the scene: the first vertex at the same place
 };
 
 }  // namespace strad

@@ -21,7 +21,7 @@ Field rows_of_undivided_faces(const TimeGrid& grid, const MeshBuilder& builder, 
   constexpr uint32_t kChunk = 256;  // faces held in full at once
   Field field;
   field.order = grid.order;
-  field.expect_rows(2 * builder.mesh().vertices.size());  // the other vertices and those to come follow
+  field.expect_rows(2 * builder.mesh().vertices.size());  // room for all other vertices, too
   for (uint32_t first = 0; first < builder.undivided_faces(); first += kChunk) {
     const uint32_t count = std::min(kChunk, builder.undivided_faces() - first);
     std::vector<std::vector<std::vector<Rgb>>> rows(count);
@@ -47,7 +47,7 @@ std::vector<Rgb> values_of_row(const TimeGrid& grid, const Field& field, uint32_
   return values;
 }
 
-// What a face differs from the mean of those around it.
+// The mean of the functions around a face minus its own.
 std::vector<Rgb> difference_of(const TimeGrid& grid, const Field& field, const std::vector<Rgb>& own,
                                const std::vector<uint32_t>& around) {
   std::vector<Rgb> difference(own.size());
@@ -66,7 +66,7 @@ void copy_row(const Field& from, uint32_t row, Field* to) {
   to->first_piece.push_back(static_cast<uint32_t>(to->pieces.size()));
 }
 
-// What bends usually are, from a thousand faces.
+// The usual size of such a difference, from about a thousand faces.
 double usual_difference(const TimeGrid& grid, const Field& field,
                         const std::vector<std::vector<uint32_t>>& neighbours,
                         const std::vector<uint32_t>& curved) {

@@ -1,4 +1,6 @@
-// Functions of time of undivided faces: found and compressed a few at a time, for there may be a million.
+// Functions of time of undivided faces.
+//
+// There may be a million of them, so they are found and compressed a few at a time.
 #pragma once
 
 #include <functional>
@@ -8,7 +10,7 @@
 
 namespace strad {
 
-// How exactly the function of a vertex is kept, W / m^2: `tolerance` on large faces, less on small ones.
+// The tolerance for the function of a vertex, W / m^2: `tolerance` on large faces, larger on small ones.
 float tolerance_of(const MeshBuilder& builder, uint32_t vertex, float tolerance);
 
 // The vertices of an undivided face: one if it is uniform, else one per corner, in order and without gaps.
@@ -24,8 +26,9 @@ using FindUndivided = std::function<std::vector<std::vector<Rgb>>(uint32_t face,
 Field rows_of_undivided_faces(const TimeGrid& grid, const MeshBuilder& builder, float tolerance,
                               const FindUndivided& find, uint64_t* rays);
 
-// The same field with the rows of uniform faces on curved surfaces moved half way towards the mean of those
-// around them, kSweeps times, where that differs by no more than noise. Other rows stay as they are.
+// The same field with noise removed: the rows of uniform faces on curved surfaces are moved half way towards
+// the mean of those around them, kSweeps times, as far as the difference is noise. Other rows stay as they
+// are.
 Field denoise_uniform_faces(const TimeGrid& grid, const MeshBuilder& builder, float tolerance, Field field);
 
 }  // namespace strad

@@ -9,8 +9,8 @@
 namespace strad {
 namespace {
 
-// Steps of the square root of a mean: at most 1 % of a middle grey apart, so that a large picture on many
-// polygons makes some thousands of materials at most.
+// The square root of a mean is rounded to steps, at most 1 % of a middle grey. So a large picture on many
+// polygons gives no more than some thousands of materials.
 constexpr float kSteps = 128;
 
 int step_of(float mean) { return static_cast<int>(std::lround(kSteps * std::sqrt(mean))); }

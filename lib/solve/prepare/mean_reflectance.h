@@ -1,13 +1,13 @@
-// What light transport sees of textures.
+// Reflectances without textures, for light transport.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace strad {
 
-// The scene without textures: each polygon reflects the mean of the part of the texture that it shows, an
-// emitting one that of the whole. Materials keep their numbers; those of single polygons follow, one for each
-// colour that can be told apart.
+// The scene without textures. The reflectance of a polygon is the mean over the part of the texture that it
+// shows; of an emitting polygon, the mean over the texture. Materials keep their numbers. New materials for
+// single polygons follow them, one for each reflectance that differs visibly.
 Scene with_mean_reflectances(Scene scene);
 
 }  // namespace strad

@@ -6,7 +6,8 @@
 namespace strad {
 namespace {
 
-// Distance from a box to the segment from a to b: convex along the segment, so ternary search finds it.
+// Distance from a box to the segment from a to b. It is a convex function along the segment, so ternary
+// search finds its minimum.
 double distance_to_box(const Box& box, Vec3 p) {
   Vec3 d;
   for (int i = 0; i < 3; ++i) d[i] = std::max({box.lower[i] - p[i], 0.0, p[i] - box.upper[i]});
@@ -28,7 +29,7 @@ SweptBounds::SweptBounds(const Scene& scene, const Tracer& tracer, const TimeGri
     const Box rest = tracer.body_box(b);
     std::vector<Box> boxes(cells);
     for (uint32_t c = 0; c < cells; ++c) {
-      // Five instants per cell, and a margin for the bulge of a turn between two of them.
+      // The box over five instants of a cell, and a margin for the path of a turning body between them.
       double travel = 0;
       std::vector<Vec3> last;
       for (int k = 0; k <= 4; ++k) {
@@ -55,7 +56,7 @@ SweptBounds::SweptBounds(const Scene& scene, const Tracer& tracer, const TimeGri
 
 std::vector<Pose> SweptBounds::poses(Interval interval, double s) const {
   const double begin = interval_begin(grid_, interval), end = interval_end(grid_, interval);
-  // 1e-9 of the interval inside: at a step the values of this side hold.
+  // 1e-9 of the interval inside, so that at a step the values are those of this side.
   return poses_at(scene_, begin + std::clamp(s, 1e-9, 1 - 1e-9) * (end - begin));
 }
 

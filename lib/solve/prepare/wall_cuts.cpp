@@ -16,15 +16,16 @@
 namespace strad {
 namespace {
 
-// Shares of the scene's diagonal.
+// Fractions of the scene's diagonal: the least length and height of a wall, and the most thickness of a thin
+// solid.
 constexpr double kLong = 1.0 / 20, kTall = 1.0 / 50, kThin = 1.0 / 50;
-constexpr double kApart = 1.0 / 1000;  // from an edge: closer, nothing is left to cut
+constexpr double kApart = 1.0 / 1000;  // contacts closer than this to an edge of the floor are not cut
 constexpr double kTouching = 1e-5;
-constexpr double kGap = 2e-6;  // between the two pieces: their corners must not be taken for the same
+constexpr double kGap = 2e-6;  // between the two pieces, so that the mesh does not join their corners
 
 constexpr double kLeastSine = 0.05;  // of the angle between wall and floor
 
-// A large polygon at rest, world.
+// A large polygon that never moves, in world coordinates.
 struct Flat {
   uint32_t polygon = 0;
   std::vector<Vec3> corners;
@@ -32,11 +33,11 @@ struct Flat {
   Box box;
 };
 
-// Where a wall stands on a floor: from a to b along `direction`, world.
+// Where a wall stands on a floor: the segment from a to b along `direction`, in world coordinates.
 struct Contact {
   uint32_t floor, wall;  // polygons
   Vec3 a, b, direction;
-  double lift;  // m along the floor's normal: there, the wall is certainly beside
+  double lift;  // m along the floor's normal: to a height at which there is wall
 };
 
 struct Stretch {
@@ -119,7 +120,7 @@ std::optional<Contact> contact_of(const Flat& floor, const Flat& wall, double di
                  at + end * direction, direction,    std::copysign(0.5 * kTall * diagonal, highest)};
 }
 
-// By floor, then by wall.
+// All contacts, ordered by floor, then by wall.
 std::vector<Contact> contacts_of(std::vector<Flat> flats, double diagonal) {
   std::sort(flats.begin(), flats.end(), [](const Flat& a, const Flat& b) {
     return std::pair(a.box.lower.x, a.polygon) < std::pair(b.box.lower.x, b.polygon);
@@ -155,8 +156,9 @@ class Walls {
   bool is_wall(const Contact& contact) const {
     const bool front = reached_[2 * contact.wall], back = reached_[2 * contact.wall + 1];
     if (front == back) return front;
-    // Through the dark, from just within to its other side: furniture ends there on the same floor, a dark
-    // room goes on to the floor's edge.
+    // Light reaches one side only. A ray goes from just behind the surface to what lies beyond the dark. If
+    // that stands on the same floor, the two are sides of a piece of furniture, unless they are close
+    // together.
     const Polygon& polygon = scene_.polygons[contact.wall];
     const Pose& pose = poses_[body_of(scene_, polygon)];
     const Vec3 inward = (front ? -1.0 : 1.0) * rotate(pose, polygon_normal(scene_, polygon));
@@ -173,10 +175,10 @@ class Walls {
   const std::vector<Pose>& poses_;
   const Tracer tracer_;
   std::vector<bool> reached_;
-  std::set<std::pair<uint32_t, uint32_t>> stands_;  // on a floor, a wall
+  std::set<std::pair<uint32_t, uint32_t>> stands_;  // pairs of a floor and a wall on it
 };
 
-// Cuts `piece` along the contact, no farther than that goes.
+// Cuts `piece` along the contact, but not beyond its ends.
 std::vector<Piece> cut(const Piece& piece, Vec3 normal, const Contact& contact, double diagonal) {
   std::vector<Vec3> corners;
   for (const PieceCorner& corner : piece) corners.push_back(corner.position);

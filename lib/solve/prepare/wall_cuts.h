@@ -1,17 +1,18 @@
-// Walls that stand on the middle of a floor.
+// Cuts floors along the walls that stand on them.
 //
-// An element of the mesh that lay partly in one room and partly in the next would carry the light of one into
-// the other: under the wall, and along links as far as that room goes. So such polygons are cut.
+// If an element of the mesh lay partly in one room and partly in the next, light of one room would be
+// interpolated into the other, and links would carry it through that room. So a polygon is cut where a wall
+// stands on it.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace strad {
 
-// The scene with all polygons at rest cut where a wall at rest stands on them or goes through them, no
-// shorter than a twentieth of the scene's diagonal and no lower than a fiftieth: a surface that light reaches
-// on both sides, one with a dark room behind it, or the side of a solid thinner than a fiftieth. What
-// furniture stands on stays whole.
+// The scene with polygons at rest cut where a wall at rest stands on them or passes through them. The contact
+// must be at least a twentieth of the scene's diagonal long, and the wall at least a fiftieth high. A wall is
+// a surface that light reaches on both sides, a surface with a dark room behind it, or a side of a solid
+// thinner than a fiftieth of the diagonal. Polygons are not cut along furniture.
 Scene cut_under_walls(Scene scene);
 
 }  // namespace strad

@@ -43,8 +43,8 @@ inline void add_camera(Scene* scene, Vec3 from, Vec3 to, Vec3 up, double fov_deg
   scene->cameras.push_back({"main", {{0, from, to, up, fov_degrees * kPi / 180}}});
 }
 
-// A face a side, without subdivision; indirect irradiance at its vertices from `value` of the rest position,
-// held over [begin, end].
+// One face per side, without subdivision; indirect irradiance at its vertices from `value` of the rest
+// position, held over [begin, end].
 inline Slab plain_slab(const Scene& scene, double begin, double end, const std::function<Rgb(Vec3)>& value) {
   Slab slab;
   slab.grid.spans = {{begin, end, 0, 0}};

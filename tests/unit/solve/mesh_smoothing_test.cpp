@@ -49,7 +49,7 @@ struct Grid {
   void smoothed() {
     smooth(opposite_neighbours(mesh, leaves, 1), [&](uint32_t v) -> CoarseFunction& { return functions[v]; });
   }
-  // Rms over vertices and time samples of what the functions differ from `light`.
+  // Root mean square over vertices and time samples of the difference between the functions and `light`.
   double error(const std::function<double(Vec3 at, size_t time_sample)>& light) const {
     double sum = 0;
     for (uint32_t v = 0; v < functions.size(); ++v)

@@ -70,7 +70,8 @@ TEST(UniformFaces, SmallFacesOfCurvedSurfacesAre) {
   }
 }
 
-// Where neighbours share corners in one plane a vertex a face is no gain; the rim is as the rest.
+// Where neighbours share corners in one plane, one vertex per face saves nothing. Faces at the rim are like
+// the others.
 TEST(UniformFaces, FineFlatGridsAreNot) {
   const Ball ball;
   const Mesh mesh = ball.mesh(0.2);
@@ -205,7 +206,8 @@ TEST(UniformFaces, AreExportedWithTheirOwnCorners) {
   const std::vector<Rgb> direct = light_at(slab, 0.5).direct;
   const std::vector<ExportBody> bodies = export_mesh(ball.scene, slab, ExportLight::kAll);
   ASSERT_EQ(bodies.size(), 1u);
-  // Each triangle of the ball by its centre: there once, as large as its polygon, in its one light.
+  // Each triangle of the ball, found by its centre, is exported once, as large as its polygon, with its one
+  // value of light.
   std::map<std::tuple<long, long, long>, std::pair<double, float>> triangles;
   for (const auto& t : bodies[0].triangles) {
     Vec3 at[3], centre;
@@ -232,8 +234,8 @@ TEST(UniformFaces, AreExportedWithTheirOwnCorners) {
   }
 }
 
-// A box has edges: light differs along its sides, so those that are not too small have vertices of their own
-// at their corners. They come after the uniform ones, before all that may be split.
+// A box has edges, and light differs along its sides. So its small faces have vertices of their own at their
+// corners, unless they are very small. They come after the uniform faces, before those that may be split.
 TEST(WholeFaces, OfBoxesHaveCornersOfTheirOwn) {
   Scene scene;
   scene.end = 1;
@@ -265,8 +267,8 @@ TEST(WholeFaces, OfBoxesHaveCornersOfTheirOwn) {
   EXPECT_FALSE(is_uniform(root_of(mesh, 0)));
 }
 
-// Of how much of an error shows: a sixth for what is small, all for what is large.
-TEST(UniformFaces, ProminenceGrowsWithSize) {
+// In proportion to the longest edge: 1 from a twelfth of the scene's diagonal on, and never below 1/5.
+TEST(UniformFaces, AccuracyShareGrowsWithSize) {
   Scene scene;
   scene.end = 1;
   add_polygon(&scene, {{0, 0, 0}, {3, 0, 0}, {3, 4, 0}, {0, 4, 0}});              // diagonal 5: the scene's

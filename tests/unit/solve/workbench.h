@@ -10,7 +10,7 @@
 
 namespace strad {
 
-enum class Roots { kFaces, kClusters };  // of the hierarchy: one a face, or one a body
+enum class Roots { kFaces, kClusters };  // of the hierarchy: one per face, or one per body
 
 struct Workbench {
   Scene scene;

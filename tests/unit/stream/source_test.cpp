@@ -1,4 +1,4 @@
-// Files and pipes give the same bytes; output files are whole or absent.
+// Files and pipes give the same bytes; output files are complete or absent.
 #include "stream/source.h"
 
 #include <fcntl.h>

@@ -61,14 +61,14 @@ TEST_P(Compress, ErrorIsBelowTheTolerance) {
   }
 }
 
-// An event of one cell in 256 with a root-mean-square far below the tolerance over the whole, but not over
-// its own cell.
+// An event of one cell in 256. Its root mean square is far below the tolerance over the animation, but not
+// over its own cell.
 TEST_P(Compress, AShortEventSurvives) {
   const TimeGrid grid = make_time_grid(0, 256, {}, order, 256 * order);
   ASSERT_EQ(grid.cell_count(), 256u);
   const TimeFunction f = [](double t) { return t > 100 && t < 101 ? 1.0 : 0.0; };
   const Field field = field_of(grid, f, 0.2f);
-  ASSERT_GT(1.0 / 16, 0.02);  // rms over the whole is 1/16
+  ASSERT_GT(1.0 / 16, 0.02);  // rms over the animation is 1/16
   EXPECT_NEAR(value_at(grid, field, 0, 100.5, false).r, 1, 1e-5);
   EXPECT_NEAR(mean_over(grid, field, 0, 0, 256, false).r, 1.0 / 256, 1e-6);
 }
@@ -81,7 +81,7 @@ TEST_P(Compress, ZeroTakesNoRoom) {
   EXPECT_EQ(field.row_count(), 1u);
   append_row(grid, samples_of(grid, [](double) { return 1; }), {}, 1e-3f, &field);
   EXPECT_EQ(field.row_count(), 2u);
-  EXPECT_EQ(field.pieces.size(), 2u);  // one a span
+  EXPECT_EQ(field.pieces.size(), 2u);  // one per span
   EXPECT_NEAR(value_at(grid, field, 1, 3, true).r, 1, 1e-6);
   EXPECT_EQ(value_at(grid, field, 0, 3, true), Rgb{});
 }
