@@ -12,6 +12,9 @@ namespace {
 constexpr int kCandidates = 8;
 // Paths are whole up to this many reflections, then end by chance (Arvo & Kirk 1990).
 constexpr int kWhole = 2;
+// Then at most this fraction goes on: between white surfaces, or inside a closed body without light, a path
+// would never end.
+constexpr float kMostSurvival = 0.95f;
 
 // Malley's method: directions in proportion to their cosine.
 Vec3 cosine_direction(Vec3 normal, Point2 at) {
@@ -129,7 +132,7 @@ Rgb Paths::indirect(const Instant& instant, const SurfacePoint& point, Point2 fi
     if (sight.point.polygon == kNone) return sum;
     throughput = throughput * sight.reflectance;
     if (reflections > kWhole) {
-      const float survival = std::min(1.0f, max_channel(throughput));
+      const float survival = std::min(kMostSurvival, max_channel(throughput));
       if (!(random->next() < survival)) return sum;
       throughput = (1 / survival) * throughput;
     }

@@ -1,0 +1,133 @@
+#include "frame/check.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "frame/paths.h"
+#include "frame/sobol.h"
+
+namespace strad {
+namespace {
+
+// To each emitter group, for the direct light that frames trace: an error far below that of a mesh.
+constexpr uint32_t kShadowRays = 256;
+// Points between two looks into the file.
+constexpr size_t kBlock = 64;
+// Points of sides that the solution takes for dark get so much fewer paths: most of them are dark.
+constexpr uint32_t kUnmeshedPaths = 8;
+
+// [2 * polygon + side]: any slab has a face there.
+std::vector<bool> meshed_sides(SolutionFile* file) {
+  std::vector<bool> meshed(2 * file->scene().polygons.size());
+  for (double time = file->begin();;) {
+    const Slab& slab = file->slab_at(time);
+    for (const Face& face : slab.mesh.faces) meshed[2 * size_t{face.polygon} + face.side] = true;
+    if (!(slab_end(slab) > time) || slab_end(slab) >= file->end()) return meshed;
+    time = slab_end(slab);
+  }
+}
+
+class Checker {
+ public:
+  Checker(SolutionFile* file, const CheckOptions& options)
+      : file_(file),
+        options_(options),
+        probe_(file->scene(), {}, {options.direct, false, kShadowRays}),
+        paths_(file->scene(), probe_.tracer(), probe_.surfaces()),
+        cones_(cones_of(file->scene().spots)) {}
+
+  std::vector<CheckSample> run(const Progress& progress);
+
+ private:
+  std::vector<CheckPoint> draw() const;
+  void measure(const Slab& slab, size_t i, CheckSample* sample) const;
+  Rgb estimate(const Instant& instant, const Sight& sight, uint64_t key, uint32_t paths) const;
+
+  SolutionFile* file_;
+  const CheckOptions& options_;
+  Probe probe_;
+  Paths paths_;
+  std::vector<SpotCone> cones_;
+};
+
+std::vector<CheckPoint> Checker::draw() const {
+  const Scene& scene = file_->scene();
+  std::vector<CheckPoint> points =
+      options_.camera
+          ? points_by_camera(scene, probe_.surfaces(), *options_.camera, options_.size, options_.range,
+                             options_.points, options_.seed)
+          : points_by_area(scene, meshed_sides(file_), options_.range, options_.points, options_.seed);
+  std::stable_sort(points.begin(), points.end(),
+                   [](const CheckPoint& a, const CheckPoint& b) { return a.time < b.time; });
+  return points;
+}
+
+// Irradiance, W / m^2, but for spotlights: the mean of some paths whose first directions are stratified.
+Rgb Checker::estimate(const Instant& instant, const Sight& sight, uint64_t key, uint32_t paths) const {
+  double sum[3] = {0, 0, 0};
+  for (uint32_t p = 0; p < paths; ++p) {
+    PathRandom random(hash_of(key, p, 1));
+    Rgb irradiance = paths_.emitters(instant, sight.point, &random);
+    irradiance += paths_.indirect(instant, sight.point, sobol_point(p, key), &random);
+    for (int c = 0; c < 3; ++c) sum[c] += irradiance[c];
+  }
+  const double count = paths;
+  return {static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count),
+          static_cast<float>(sum[2] / count)};
+}
+
+void Checker::measure(const Slab& slab, size_t i, CheckSample* sample) const {
+  const CheckPoint& point = sample->point;
+  const LitInstant lit = probe_.lit_at(point.time);
+  const ProbePoint& place = point.place;
+  const Sight sight = probe_.surfaces().at(lit.instant, place.polygon, place.front, place.rest_point);
+  const Rgb reflected = static_cast<float>(1 / kPi) * sight.reflectance;
+  sample->solution = reflected * probe_.at(slab, i, lit).irradiance;
+  // One ray to each spotlight knows its light exactly.
+  SpotRays rays;
+  const Rgb spots = spots_irradiance(probe_.tracer(), cones_, lit.instant, sight.point, &rays);
+  const uint32_t parts = kCheckEstimates * (point.meshed ? 1 : kUnmeshedPaths);
+  const uint32_t paths = (options_.paths + parts - 1) / parts;
+  for (uint64_t e = 0; e < kCheckEstimates; ++e) {
+    const uint64_t key = hash_of(hash_of(options_.seed, i), e);
+    sample->estimates[e] = reflected * (spots + estimate(lit.instant, sight, key, paths));
+  }
+}
+
+bool is_dark(const CheckSample& sample) {
+  return is_black(sample.solution) &&
+         std::all_of(std::begin(sample.estimates), std::end(sample.estimates), is_black);
+}
+
+std::vector<CheckSample> Checker::run(const Progress& progress) {
+  std::vector<CheckSample> samples;
+  std::vector<ProbePoint> places;
+  for (const CheckPoint& point : draw()) {
+    samples.push_back({point, {}, {}});
+    places.push_back(point.place);
+  }
+  probe_.follow(places);
+  for (size_t first = 0; first < samples.size();) {
+    if (progress) progress(static_cast<double>(first) / static_cast<double>(samples.size()), "paths");
+    const size_t most = std::min(first + kBlock, samples.size());
+    const Slab& slab = file_->slab_for(samples[first].point.time, samples[most - 1].point.time);
+    size_t end = first + 1;
+    while (end < most && samples[end].point.time < slab_end(slab)) ++end;
+    probe_.prepare(slab);
+    parallel_for(end - first, 1, [&](size_t from, size_t to) {
+      for (size_t i = first + from; i < first + to; ++i) measure(slab, i, &samples[i]);
+    });
+    first = end;
+  }
+  std::erase_if(samples, [](const CheckSample& s) { return !s.point.meshed && is_dark(s); });
+  return samples;
+}
+
+}  // namespace
+
+std::vector<CheckSample> check_solution(SolutionFile* file, const CheckOptions& options,
+                                        const Progress& progress) {
+  return Checker(file, options).run(progress);
+}
+
+}  // namespace strad
