@@ -37,7 +37,7 @@ CheckTool parse_options(int argc, char** argv) {
                  "fail when the error, a fraction of the mean, is surely above X");
   options.flag("--json", &tool.json, "print JSON");
   options.integer("--points", "N", &points, "points and instants to check at (default 1000)");
-  options.integer("--paths", "N", &paths, "paths from each of them (default 1024)");
+  options.integer("--paths", "N", &paths, "paths from each of them (default 2048)");
   options.integer("--seed", "S", &seed, "draw other points and paths (default 0)");
   options.text("-t,--time", "A:B", &tool.time, "instants from A to B seconds only (default: all)");
   options.text("-c,--camera", "NAME", &tool.camera,
@@ -74,6 +74,7 @@ int check(CheckTool tool) {
   tool.check.range = range_of(tool.time, file);
   if (!tool.camera.empty()) tool.check.camera = &find_camera(file.scene(), "--camera", tool.camera);
   const std::vector<CheckSample> samples = check_solution(&file, tool.check, progress_on_stderr(tool.common));
+  detail(tool.common, std::to_string(samples.size()) + " points count");
   const CheckReport report = report_of(file.scene(), samples, tool.check.range);
   if (!(report.total.mean > 0)) throw BadInput("found no light at any point, expected some to compare with");
   Output output(tool.common.output);

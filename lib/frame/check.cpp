@@ -15,6 +15,10 @@ constexpr uint32_t kShadowRays = 256;
 constexpr size_t kBlock = 64;
 // Points of sides that the solution takes for dark get so much fewer paths: most of them are dark.
 constexpr uint32_t kUnmeshedPaths = 8;
+// A surface nearer than this fraction of the scene's diagonal lies on the other one.
+constexpr double kContact = 1e-3;
+// Directions in which a point in a closed body sees nothing but the insides of closed bodies.
+constexpr uint32_t kLooks = 64;
 
 // [2 * polygon + side]: any slab has a face there.
 std::vector<bool> meshed_sides(SolutionFile* file) {
@@ -34,12 +38,15 @@ class Checker {
         options_(options),
         probe_(file->scene(), {}, {options.direct, false, kShadowRays}),
         paths_(file->scene(), probe_.tracer(), probe_.surfaces()),
-        cones_(cones_of(file->scene().spots)) {}
+        cones_(cones_of(file->scene().spots)),
+        meshed_(meshed_sides(file)) {}
 
   std::vector<CheckSample> run(const Progress& progress);
 
  private:
   std::vector<CheckPoint> draw() const;
+  bool counts(const CheckSample& sample) const;
+  bool covered(const CheckPoint& point) const;
   void measure(const Slab& slab, size_t i, CheckSample* sample) const;
   Rgb estimate(const Instant& instant, const Sight& sight, uint64_t key, uint32_t paths) const;
 
@@ -48,15 +55,15 @@ class Checker {
   Probe probe_;
   Paths paths_;
   std::vector<SpotCone> cones_;
+  std::vector<bool> meshed_;
 };
 
 std::vector<CheckPoint> Checker::draw() const {
   const Scene& scene = file_->scene();
   std::vector<CheckPoint> points =
-      options_.camera
-          ? points_by_camera(scene, probe_.surfaces(), *options_.camera, options_.size, options_.range,
-                             options_.points, options_.seed)
-          : points_by_area(scene, meshed_sides(file_), options_.range, options_.points, options_.seed);
+      options_.camera ? points_by_camera(scene, probe_.surfaces(), *options_.camera, options_.size,
+                                         options_.range, options_.points, options_.seed)
+                      : points_by_area(scene, meshed_, options_.range, options_.points, options_.seed);
   std::stable_sort(points.begin(), points.end(),
                    [](const CheckPoint& a, const CheckPoint& b) { return a.time < b.time; });
   return points;
@@ -94,9 +101,28 @@ void Checker::measure(const Slab& slab, size_t i, CheckSample* sample) const {
   }
 }
 
-bool is_dark(const CheckSample& sample) {
-  return is_black(sample.solution) &&
-         std::all_of(std::begin(sample.estimates), std::end(sample.estimates), is_black);
+// Nothing but insides of closed bodies is seen from there, or a surface lies on it.
+bool Checker::covered(const CheckPoint& point) const {
+  const Instant instant = instant_at(file_->scene(), point.time);
+  const ProbePoint& place = point.place;
+  const Tracer& tracer = probe_.tracer();
+  const SurfacePoint at = probe_.surfaces().at(instant, place.polygon, place.front, place.rest_point).point;
+  const Vec3 lifted = at.position + tracer.offset() * at.normal;
+  const double contact = kContact * tracer.scene_box().diagonal();
+  if (tracer.closest(instant.world_from_body, lifted, at.normal, contact).polygon != kNone) return true;
+  for (uint32_t i = 0; i < kLooks; ++i) {
+    const Vec3 direction = cosine_direction(at.normal, sobol_point(i, 0));
+    const SurfaceHit hit = tracer.closest(instant.world_from_body, lifted, direction);
+    if (hit.polygon == kNone || meshed_[2 * size_t{hit.polygon} + (hit.front ? 0 : 1)]) return false;
+  }
+  return true;
+}
+
+bool Checker::counts(const CheckSample& sample) const {
+  if (options_.camera) return true;
+  if (!std::all_of(std::begin(sample.estimates), std::end(sample.estimates), is_black)) return true;
+  if (!sample.point.meshed) return !is_black(sample.solution);
+  return !covered(sample.point);
 }
 
 std::vector<CheckSample> Checker::run(const Progress& progress) {
@@ -119,7 +145,7 @@ std::vector<CheckSample> Checker::run(const Progress& progress) {
     });
     first = end;
   }
-  std::erase_if(samples, [](const CheckSample& s) { return !s.point.meshed && is_dark(s); });
+  std::erase_if(samples, [&](const CheckSample& sample) { return !counts(sample); });
   return samples;
 }
 

@@ -16,7 +16,7 @@ constexpr int kCheckEstimates = 8;
 
 struct CheckOptions {
   uint32_t points = 1000;                    // at least 1
-  uint32_t paths = 1024;                     // a point, at least 1; rounded up to whole estimates
+  uint32_t paths = 2048;                     // a point, at least 1; rounded up to whole estimates
   uint64_t seed = 0;                         // different seeds draw other points and paths
   ProbeDirect direct = ProbeDirect::kPoint;  // of the solution: as frames have it, or that of its mesh
   const Camera* camera = nullptr;            // points as its pixels see them; none: by area
@@ -31,8 +31,9 @@ struct CheckSample {
   Rgb estimates[kCheckEstimates];  // unbiased and independent of each other
 };
 
-// In order of time. Sides that the solution takes for dark are there only where light was found. The same for
-// any number of threads. Throws BadInput when a chunk turns out to be damaged.
+// In order of time. Of points by area those do not count where no light was found and none can be missed: on
+// sides that the solution takes for dark, too, and where surfaces lie on each other or in closed bodies. The
+// same for any number of threads. Throws BadInput when a chunk turns out to be damaged.
 std::vector<CheckSample> check_solution(SolutionFile* file, const CheckOptions& options,
                                         const Progress& progress);
 

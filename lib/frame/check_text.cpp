@@ -1,5 +1,6 @@
 #include "frame/check_text.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "solution/facts.h"
@@ -21,16 +22,18 @@ std::string plain(std::string name) {
   return name;
 }
 
+// Rounded, so that no zero has a sign.
+double percent(double fraction) { return std::round(1e4 * fraction) / 100 + 0.0; }
+
 std::string group_line(const CheckTable& table, const CheckGroup& group) {
   const ErrorEstimate& e = group.error;
   const std::string name = table.named ? plain(group.name) : printed("%.4g to %.4g", group.from, group.to);
-  return printed("%8.2f %8.2f %8.2f %8.2f %8.2f %8.2f %7.1f %7zu  ", 100 * e.rel.value, 100 * e.rel.low,
-                 100 * e.rel.high, 100 * e.bias.value, 100 * e.bias.low, 100 * e.bias.high, 100 * group.share,
-                 e.points) +
+  return printed("%8.2f %8.2f %8.2f %8.2f %8.2f %8.2f %7.1f %7zu  ", percent(e.rel.value), percent(e.rel.low),
+                 percent(e.rel.high), percent(e.bias.value), percent(e.bias.low), percent(e.bias.high),
+                 percent(group.share), e.points) +
          name + "\n";
 }
 
-// A sum with negative zero becomes zero.
 double tidy(double x) { return std::abs(x) < 1e-12 ? 0 : x; }
 
 std::string place_line(const WorstPlace& place) {
@@ -45,6 +48,11 @@ std::string worst_line(const WorstPlace& place) {
          printed("  # at %.6g s: %.4g, expected %.4g +- %.2g, on ", place.time, e.solution, e.reference,
                  e.deviation) +
          plain(place.object) + "\n";
+}
+
+std::string headline(const char* name, const Confidence& c) {
+  return printed("%s %.2f %%, 95 %% confidence %.2f to %.2f %%\n", name, percent(c.value), percent(c.low),
+                 percent(c.high));
 }
 
 FactGroup interval_facts(const Confidence& interval) {
@@ -89,10 +97,7 @@ Fact worst_fact(const WorstPlace& place) {
 
 std::string check_text(const CheckReport& report) {
   const ErrorEstimate& e = report.total;
-  std::string text = printed("error %.2f %%, 95 %% sure of %.2f to %.2f %%\n", 100 * e.rel.value,
-                             100 * e.rel.low, 100 * e.rel.high);
-  text += printed("bias %.2f %%, 95 %% sure of %.2f to %.2f %%\n", 100 * e.bias.value, 100 * e.bias.low,
-                  100 * e.bias.high);
+  std::string text = headline("error", e.rel) + headline("bias", e.bias);
   text += printed("mean %.4g W/(sr m^2) of %zu points\n", e.mean, e.points);
   for (const CheckTable& table : report.tables) {
     text += "\n error %      low     high   bias %      low     high share %  points  by " + table.of + "\n";

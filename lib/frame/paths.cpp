@@ -16,15 +16,14 @@ constexpr int kWhole = 2;
 // would never end.
 constexpr float kMostSurvival = 0.95f;
 
-// Malley's method: directions in proportion to their cosine.
+}  // namespace
+
 Vec3 cosine_direction(Vec3 normal, Point2 at) {
   const double radius = std::sqrt(at.u), angle = 2 * kPi * at.v;
   const Frame frame = frame_about(normal);
   return normalized(radius * std::cos(angle) * frame.tangent + radius * std::sin(angle) * frame.bitangent +
                     std::sqrt(std::max(0.0, 1 - at.u)) * normal);
 }
-
-}  // namespace
 
 Paths::Paths(const Scene& scene, const Tracer& tracer, const Surfaces& surfaces)
     : scene_(scene), tracer_(tracer), surfaces_(surfaces), cones_(cones_of(scene.spots)) {

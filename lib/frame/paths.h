@@ -22,6 +22,9 @@ class PathRandom {
   uint64_t count_ = 0;
 };
 
+// Malley's method: directions about `normal` in proportion to their cosine, for `at` uniform in the unit square.
+Vec3 cosine_direction(Vec3 normal, Point2 at);
+
 // Paths over diffuse surfaces with light sampled at each of their points (Kajiya 1986): a path that meets an
 // emitter adds nothing, for its light was sampled before. Thread-safe.
 class Paths {
