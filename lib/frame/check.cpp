@@ -74,8 +74,7 @@ Rgb Checker::estimate(const Instant& instant, const Sight& sight, uint64_t key, 
   double sum[3] = {0, 0, 0};
   for (uint32_t p = 0; p < paths; ++p) {
     PathRandom random(hash_of(key, p, 1));
-    Rgb irradiance = paths_.emitters(instant, sight.point, &random);
-    irradiance += paths_.indirect(instant, sight.point, sobol_point(p, key), &random);
+    const Rgb irradiance = paths_.but_spots(instant, sight.point, sobol_point(p, key), &random);
     for (int c = 0; c < 3; ++c) sum[c] += irradiance[c];
   }
   const double count = paths;

@@ -12,7 +12,7 @@
 namespace strad {
 
 // Independent estimates at a point.
-constexpr int kCheckEstimates = 8;
+constexpr int kCheckEstimates = 16;
 
 struct CheckOptions {
   uint32_t points = 1000;                    // at least 1

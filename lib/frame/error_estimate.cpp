@@ -9,7 +9,8 @@ namespace strad {
 namespace {
 
 constexpr int kResamples = 1000;
-constexpr double kSureDeviations = 4;
+// The mean of 16 estimates is off by more once in 100 points (Student's distribution).
+constexpr double kSureDeviations = 3;
 
 struct Sums {
   double weight = 0, solution = 0, reference = 0, squared = 0;

@@ -22,22 +22,23 @@ class PathRandom {
   uint64_t count_ = 0;
 };
 
-// Malley's method: directions about `normal` in proportion to their cosine, for `at` uniform in the unit square.
+// Malley's method: directions about `normal` in proportion to their cosine, for `at` uniform in the unit
+// square.
 Vec3 cosine_direction(Vec3 normal, Point2 at);
 
-// Paths over diffuse surfaces with light sampled at each of their points (Kajiya 1986): a path that meets an
-// emitter adds nothing, for its light was sampled before. Thread-safe.
+// Paths over diffuse surfaces with light sampled at each of their points (Kajiya 1986). Emitters are found
+// both by points drawn on them and by the paths' own directions, weighted by the balance heuristic (Veach &
+// Guibas 1995): either alone is noisy, far from them or close by. Thread-safe.
 class Paths {
  public:
   Paths(const Scene& scene, const Tracer& tracer, const Surfaces& surfaces);  // keeps references
 
-  // W / m^2: an unbiased estimate of what one randomly chosen spot and one point of an emitter stand for.
-  Rgb direct(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
-  Rgb emitters(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
+  // W / m^2: an unbiased estimate of what all spots bring straight, by one of them.
+  Rgb spots(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
 
-  // W / m^2: an unbiased estimate of the light reflected at least once that `point` receives. `first`,
-  // uniform in the unit square, is the direction in which the path leaves.
-  Rgb indirect(const Instant& instant, const SurfacePoint& point, Point2 first, PathRandom* random) const;
+  // W / m^2: an unbiased estimate of all other light that `point` receives, of emitters or reflected.
+  // `first`, uniform in the unit square, is the direction in which the path leaves.
+  Rgb but_spots(const Instant& instant, const SurfacePoint& point, Point2 first, PathRandom* random) const;
 
  private:
   // A point of an emitter seen from a point that it lights.
@@ -46,7 +47,8 @@ class Paths {
     Rgb irradiance;  // W / m^2 of its whole share of the power, if nothing is between
   };
   Candidate draw_emitter(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
-  Rgb spots(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
+  Rgb emitters(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
+  Rgb met_emitter(const SurfacePoint& from, Vec3 direction, const Sight& sight) const;
   Rgb unoccluded(const Instant& instant, const SurfacePoint& point, size_t spot) const;
 
   const Scene& scene_;
@@ -57,7 +59,7 @@ class Paths {
   struct EmittingTriangle {
     Vec3 corners[3];
     Vec3 normal;
-    double area = 0, probability = 0;
+    double density = 0;  // of the points drawn, 1 / m^2
     uint32_t polygon = kNone;
   };
   std::vector<EmittingTriangle> emitters_;

@@ -24,7 +24,7 @@ cmp text file
 
 # Four tables; the points of each are all that count, the shares of each add up to all.
 awk '
-  $1 == "mean" { all = $5 }
+  $1 == "mean" { all = $6 }
   / by / { table = $NF; tables++; next }
   NF == 0 { table = "" }
   table != "" { points[table] += $8; share[table] += $7 }

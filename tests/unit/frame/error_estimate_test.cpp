@@ -26,9 +26,9 @@ TEST(ErrorEstimate, SquaredErrorIsTheMeanOverPairs) {
   EXPECT_NEAR(point.reference, 2, 1e-12);
   EXPECT_NEAR(point.deviation, std::sqrt(1 / 3.0), 1e-12);
   EXPECT_EQ(point.weight, 5);
-  // 2 - 4 * 0.577 < 0: noise explains it.
-  EXPECT_EQ(sure_error(point), 0);
-  EXPECT_NEAR(sure_error(point_error(grey(12), estimates, 1)), 10 - 4 * std::sqrt(1 / 3.0), 1e-12);
+  EXPECT_NEAR(sure_error(point), 2 - 3 * std::sqrt(1 / 3.0), 1e-12);
+  EXPECT_EQ(sure_error(point_error(grey(3.7), estimates, 1)), 0);  // 1.7 < 1.73: noise explains it
+  EXPECT_NEAR(sure_error(point_error(grey(12), estimates, 1)), 10 - 3 * std::sqrt(1 / 3.0), 1e-12);
 }
 
 TEST(ErrorEstimate, OneBrightPathAddsNoSquaredError) {
