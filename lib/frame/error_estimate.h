@@ -23,7 +23,7 @@ struct PointError {
 // expectation is the squared error of S, whatever their noise. REQUIRES: at least two estimates.
 PointError point_error(Rgb solution, std::span<const Rgb> estimates, double weight);
 
-// The error that is surely there: |solution - reference| less what noise explains, four deviations of
+// The error that is surely there: |solution - reference| less what noise explains, three deviations of
 // it.
 double sure_error(const PointError& point);
 
