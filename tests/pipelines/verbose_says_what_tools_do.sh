@@ -18,6 +18,7 @@ says '.*2 bodies, .*1 cameras, [0-9]+ frames' strad-motion $scene.motion scene -
 says 'direct light: [0-9.]+ s$' strad-solve -e 0.5 --time 0:2 moving -o solved
 says 'frame 3: [0-9.]+ s$' strad-frame -f 1:3 -s 16x12 solved
 says 'point 0: .* 0\.[0-9]+ m from the position asked for, on ' strad-probe --at 1,0.1,1 -n 2 solved
+says '[0-9]+ points count$' strad-check --points 50 --paths 16 solved
 says 'solved: [0-9]+ polygons.* 1 solved slabs' strad-info solved
 says 'joined 1 streams' strad-join solved
 says 'solved: [0-9]+ polygons' strad-diff solved solved
