@@ -15,10 +15,11 @@ constexpr uint32_t kShadowRays = 256;
 constexpr size_t kBlock = 64;
 // Points of sides that the solution takes for dark get so much fewer paths: most of them are dark.
 constexpr uint32_t kUnmeshedPaths = 8;
-// A surface nearer than this fraction of the scene's diagonal lies on the other one.
-constexpr double kContact = 1e-3;
-// Directions in which a point in a closed body sees nothing but the insides of closed bodies.
+// Looks around from a point without light. It is covered when this fraction of them end on sides that the
+// solution takes for dark, or nearer than this fraction of the scene's diagonal: inside legs, plates and
+// other closed bodies or under them, where no camera stands.
 constexpr uint32_t kLooks = 64;
+constexpr double kCovered = 0.75, kNarrow = 0.02;
 
 // [2 * polygon + side]: any slab has a face there.
 std::vector<bool> meshed_sides(SolutionFile* file) {
@@ -100,21 +101,21 @@ void Checker::measure(const Slab& slab, size_t i, CheckSample* sample) const {
   }
 }
 
-// Nothing but insides of closed bodies is seen from there, or a surface lies on it.
 bool Checker::covered(const CheckPoint& point) const {
   const Instant instant = instant_at(file_->scene(), point.time);
   const ProbePoint& place = point.place;
   const Tracer& tracer = probe_.tracer();
   const SurfacePoint at = probe_.surfaces().at(instant, place.polygon, place.front, place.rest_point).point;
   const Vec3 lifted = at.position + tracer.offset() * at.normal;
-  const double contact = kContact * tracer.scene_box().diagonal();
-  if (tracer.closest(instant.world_from_body, lifted, at.normal, contact).polygon != kNone) return true;
+  const double narrow = kNarrow * tracer.scene_box().diagonal();
+  uint32_t blocked = 0;
   for (uint32_t i = 0; i < kLooks; ++i) {
     const Vec3 direction = cosine_direction(at.normal, sobol_point(i, 0));
     const SurfaceHit hit = tracer.closest(instant.world_from_body, lifted, direction);
-    if (hit.polygon == kNone || meshed_[2 * size_t{hit.polygon} + (hit.front ? 0 : 1)]) return false;
+    if (hit.polygon == kNone) continue;
+    blocked += hit.distance < narrow || !meshed_[2 * size_t{hit.polygon} + (hit.front ? 0 : 1)];
   }
-  return true;
+  return blocked >= kCovered * kLooks;
 }
 
 bool Checker::counts(const CheckSample& sample) const {

@@ -32,8 +32,8 @@ struct CheckSample {
 };
 
 // In order of time. Of points by area those do not count where no light was found and none can be missed: on
-// sides that the solution takes for dark, too, and where surfaces lie on each other or in closed bodies. The
-// same for any number of threads. Throws BadInput when a chunk turns out to be damaged.
+// sides that the solution takes for dark, too, and in closed bodies or under them. The same for any number of
+// threads. Throws BadInput when a chunk turns out to be damaged.
 std::vector<CheckSample> check_solution(SolutionFile* file, const CheckOptions& options,
                                         const Progress& progress);
 
