@@ -9,7 +9,7 @@
 
 namespace strad {
 
-// Malley's method (Malley 1988). `at`: uniform in the unit square.
+// A direction about `normal`, by Malley's method (Malley 1988). `at`: uniform in the unit square.
 inline Vec3 cosine_direction(Vec3 normal, Point2 at) {
   const double radius = std::sqrt(at.u), angle = 2 * kPi * at.v;
   const Frame frame = frame_about(normal);

@@ -13,6 +13,9 @@ namespace {
 constexpr int kCandidates = 8;
 // Paths have at least this many reflections. Then Russian roulette ends them (Arvo & Kirk 1990).
 constexpr int kWhole = 2;
+// Then at most this fraction goes on: between white surfaces, or inside a closed body without light, a path
+// would never end.
+constexpr float kMostSurvival = 0.95f;
 
 }  // namespace
 
@@ -28,13 +31,13 @@ Paths::Paths(const Scene& scene, const Tracer& tracer, const Surfaces& surfaces)
       const Vec3 doubled = cross(b - a, d - a);
       const double area = length(doubled) / 2;
       if (!(area > 0)) continue;
-      const double power = area * max_channel(scene.materials[polygon.material].emission);
-      sum += power;
-      emitters_.push_back({{a, b, d}, normalized(doubled), area, power, p});
+      const double emission = max_channel(scene.materials[polygon.material].emission);
+      sum += area * emission;
+      emitters_.push_back({{a, b, d}, normalized(doubled), emission, p});
       up_to_.push_back(sum);
     }
   }
-  for (EmittingTriangle& emitter : emitters_) emitter.probability /= sum;
+  for (EmittingTriangle& emitter : emitters_) emitter.density /= sum;
 }
 
 Rgb Paths::unoccluded(const Instant& instant, const SurfacePoint& point, size_t s) const {
@@ -82,7 +85,9 @@ Paths::Candidate Paths::draw_emitter(const Instant& instant, const SurfacePoint&
   const double cos_point = dot(to, point.normal), cos_emitter = -dot(to, normal), distance2 = length2(to);
   if (!(cos_point > 0) || !(cos_emitter > 0)) return {};
   const double geometry = cos_point * cos_emitter / (distance2 * distance2);
-  const double scale = geometry * emitter.area / emitter.probability * instant.glow[polygon.material];
+  // Over the density of the points, and times the weight that met_emitter() leaves.
+  const double scale = geometry * kCandidates / (kCandidates * emitter.density + geometry / kPi) *
+                       instant.glow[polygon.material];
   return {on_emitter + tracer_.offset() * normal,
           static_cast<float>(scale) * scene_.materials[polygon.material].emission};
 }
@@ -105,29 +110,38 @@ Rgb Paths::emitters(const Instant& instant, const SurfacePoint& point, PathRando
   return static_cast<float>(sum / (kCandidates * max_channel(chosen.irradiance))) * chosen.irradiance;
 }
 
-Rgb Paths::direct(const Instant& instant, const SurfacePoint& point, PathRandom* random) const {
-  const Rgb from_spots = spots(instant, point, random);
-  return from_spots + emitters(instant, point, random);
+// W / m^2: what the emitter that a path meets in `direction` stands for, beside the points drawn on it.
+Rgb Paths::met_emitter(const SurfacePoint& from, Vec3 direction, const Sight& sight) const {
+  const double distance2 = length2(sight.point.position - from.position);
+  const double cosines = dot(direction, from.normal) * -dot(direction, sight.point.normal);
+  const double density =
+      max_channel(scene_.materials[scene_.polygons[sight.point.polygon].material].emission) / up_to_.back();
+  // geometry / pi over (kCandidates * density + geometry / pi), times distance2 so that nothing is infinite.
+  const double weight = cosines / kPi / (kCandidates * density * distance2 + cosines / kPi);
+  return weight > 0 ? static_cast<float>(kPi * weight) * sight.emission : Rgb{};
 }
 
-Rgb Paths::indirect(const Instant& instant, const SurfacePoint& point, Point2 first,
-                    PathRandom* random) const {
-  // E = pi times the mean of L over directions by their cosine, and L = rho E / pi of what is met there.
-  Rgb sum, throughput{1, 1, 1};
+Rgb Paths::but_spots(const Instant& instant, const SurfacePoint& point, Point2 first,
+                     PathRandom* random) const {
+  // E = pi times the mean of L over directions by their cosine, and L = Le + rho E / pi of what is met there.
+  Rgb sum = emitters(instant, point, random), throughput{1, 1, 1};
   SurfacePoint from = point;
   Point2 at = first;
   for (int reflections = 1;; ++reflections) {
     const Vec3 lifted = from.position + tracer_.offset() * from.normal;
-    const Sight sight = surfaces_.look(instant, lifted, cosine_direction(from.normal, at));
+    const Vec3 direction = cosine_direction(from.normal, at);
+    const Sight sight = surfaces_.look(instant, lifted, direction);
     if (sight.point.polygon == kNone) return sum;
+    if (!is_black(sight.emission)) sum += throughput * met_emitter(from, direction, sight);
     throughput = throughput * sight.reflectance;
     if (reflections > kWhole) {
-      const float survival = std::min(1.0f, max_channel(throughput));
+      const float survival = std::min(kMostSurvival, max_channel(throughput));
       if (!(random->next() < survival)) return sum;
       throughput = (1 / survival) * throughput;
     }
     if (is_black(throughput)) return sum;
-    sum += throughput * direct(instant, sight.point, random);
+    const Rgb from_spots = spots(instant, sight.point, random);
+    sum += throughput * (from_spots + emitters(instant, sight.point, random));
     from = sight.point;
     at.u = random->next();
     at.v = random->next();

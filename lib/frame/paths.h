@@ -22,19 +22,19 @@ class PathRandom {
   uint64_t count_ = 0;
 };
 
-// Paths over diffuse surfaces with light sampled at each of their points (Kajiya 1986): a path that meets an
-// emitter adds nothing, for its light was sampled before. Thread-safe.
+// Paths over diffuse surfaces with light sampled at each of their points (Kajiya 1986). Emitters are found
+// both by points drawn on them and by the paths' own directions, weighted by the balance heuristic (Veach &
+// Guibas 1995): either alone is noisy, far from them or close by. Thread-safe.
 class Paths {
  public:
   Paths(const Scene& scene, const Tracer& tracer, const Surfaces& surfaces);  // keeps references
 
-  // W / m^2: an unbiased estimate of what one randomly chosen spot and one point of an emitter stand for.
-  Rgb direct(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
-  Rgb emitters(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
+  // W / m^2: an unbiased estimate of what all spots bring straight, by one of them.
+  Rgb spots(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
 
-  // W / m^2: an unbiased estimate of the light reflected at least once that `point` receives. `first`,
-  // uniform in the unit square, is the direction in which the path leaves.
-  Rgb indirect(const Instant& instant, const SurfacePoint& point, Point2 first, PathRandom* random) const;
+  // W / m^2: an unbiased estimate of all other light that `point` receives, of emitters or reflected.
+  // `first`, uniform in the unit square, is the direction in which the path leaves.
+  Rgb but_spots(const Instant& instant, const SurfacePoint& point, Point2 first, PathRandom* random) const;
 
  private:
   // A point of an emitter seen from a point that it lights.
@@ -43,7 +43,8 @@ class Paths {
     Rgb irradiance;  // W / m^2, unoccluded, of the share of power for which it stands
   };
   Candidate draw_emitter(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
-  Rgb spots(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
+  Rgb emitters(const Instant& instant, const SurfacePoint& point, PathRandom* random) const;
+  Rgb met_emitter(const SurfacePoint& from, Vec3 direction, const Sight& sight) const;
   Rgb unoccluded(const Instant& instant, const SurfacePoint& point, size_t spot) const;
 
   const Scene& scene_;
@@ -54,7 +55,7 @@ class Paths {
   struct EmittingTriangle {
     Vec3 corners[3];
     Vec3 normal;
-    double area = 0, probability = 0;
+    double density = 0;  // of the points drawn, 1 / m^2
     uint32_t polygon = kNone;
   };
   std::vector<EmittingTriangle> emitters_;

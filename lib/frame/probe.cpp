@@ -8,8 +8,6 @@
 namespace strad {
 namespace {
 
-constexpr uint32_t kShadowRays = 1024;  // to each emitter group: steps of a thousandth while a shadow passes
-
 // Nearest point of a triangle (Ericson 2004, "Real-Time Collision Detection", 5.1.5).
 Vec3 nearest_on_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
   const Vec3 ab = b - a, ac = c - a;
@@ -74,6 +72,11 @@ Probe::Probe(const Scene& scene, std::vector<ProbePoint> points, const ProbeOpti
       groups_(emitter_groups(scene)) {}
 Probe::~Probe() = default;
 
+void Probe::follow(std::vector<ProbePoint> points) {
+  points_ = std::move(points);
+  prepared_ = nullptr;
+}
+
 void Probe::prepare(const Slab& slab) {
   if (prepared_ == &slab && prepared_begin_ == slab_begin(slab)) return;
   const Reconstruction reconstruction(slab.mesh);
@@ -110,25 +113,28 @@ Rgb Probe::direct(const LitInstant& lit, const SurfacePoint& point) const {
     if (is_black(lit.radiance[l])) continue;
     find_unoccluded(lit.emitters[l], point, &unoccluded);
     ShadowRays shadow;
-    add_shadow_rays(tracer_, lit, lit.emitters[l], point, unoccluded, 0, kShadowRays, &shadow);
+    add_shadow_rays(tracer_, lit, lit.emitters[l], point, unoccluded, 0, options_.shadow_rays, &shadow);
     sum += static_cast<float>(unoccluded.total) * free_fraction(shadow) * lit.radiance[l];
   }
   return sum;
 }
 
+ProbeValue Probe::at(const Slab& slab, size_t i, const LitInstant& lit) const {
+  const ProbePoint& point = points_[i];
+  const Sight sight = surfaces_.at(lit.instant, point.polygon, point.front, point.rest_point);
+  ProbeValue value;
+  value.irradiance = solved(slab, i, lit.instant.time);
+  if (options_.direct == ProbeDirect::kPoint) value.irradiance += direct(lit, sight.point);
+  value.radiance = sight.emission + static_cast<float>(1 / kPi) * sight.reflectance * value.irradiance;
+  return value;
+}
+
 std::vector<ProbeValue> Probe::at(const Slab& slab, double time) {
   prepare(slab);
-  const LitInstant lit = lit_instant(scene_, groups_, time);
+  const LitInstant lit = lit_at(time);
   std::vector<ProbeValue> values(points_.size());
   parallel_for(values.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const ProbePoint& point = points_[i];
-      const Sight sight = surfaces_.at(lit.instant, point.polygon, point.front, point.rest_point);
-      values[i].irradiance = solved(slab, i, time);
-      if (options_.direct == ProbeDirect::kPoint) values[i].irradiance += direct(lit, sight.point);
-      values[i].radiance =
-          sight.emission + static_cast<float>(1 / kPi) * sight.reflectance * values[i].irradiance;
-    }
+    for (size_t i = begin; i < end; ++i) values[i] = at(slab, i, lit);
   });
   return values;
 }

@@ -38,7 +38,8 @@ enum class ProbeDirect {
 
 struct ProbeOptions {
   ProbeDirect direct = ProbeDirect::kPoint;
-  bool flat = false;  // the leaf's mean, and intervals of time as they are
+  bool flat = false;            // the leaf's mean, and intervals of time as they are
+  uint32_t shadow_rays = 1024;  // to each emitter group: steps of a thousandth while a shadow passes
 };
 
 struct ProbeValue {
@@ -54,16 +55,26 @@ class Probe {
   Probe(const Probe&) = delete;
   Probe& operator=(const Probe&) = delete;
 
+  // Other points in place of those so far.
+  void follow(std::vector<ProbePoint> points);
+
   // One value per point. REQUIRES: `slab` holds `time`.
   std::vector<ProbeValue> at(const Slab& slab, double time);
 
- private:
+  // One point at one instant. Thread-safe. REQUIRES: `slab` was prepared last and holds `lit`'s time.
+  ProbeValue at(const Slab& slab, size_t point, const LitInstant& lit) const;
   void prepare(const Slab& slab);
+  LitInstant lit_at(double time) const { return lit_instant(scene_, groups_, time); }
+
+  const Tracer& tracer() const { return tracer_; }
+  const Surfaces& surfaces() const { return surfaces_; }
+
+ private:
   Rgb solved(const Slab& slab, size_t point, double time) const;
   Rgb direct(const LitInstant& lit, const SurfacePoint& point) const;
 
   const Scene& scene_;
-  const std::vector<ProbePoint> points_;
+  std::vector<ProbePoint> points_;
   const ProbeOptions options_;
   Tracer tracer_;
   Surfaces surfaces_;

@@ -47,11 +47,11 @@ Rgb Reference::pixel(const Exposure& exposure, uint32_t x, uint32_t y) const {
         surfaces_.look(moment.instant, moment.camera.from(), moment.camera.direction(x + at.u, y + at.v));
     Rgb radiance = sight.emission;
     if (sight.point.polygon != kNone && !is_black(sight.reflectance)) {
-      Rgb irradiance = paths_.direct(moment.instant, sight.point, &random);
+      Rgb irradiance = paths_.spots(moment.instant, sight.point, &random);
       Point2 first;
       first.u = random.next();
       first.v = random.next();
-      irradiance += paths_.indirect(moment.instant, sight.point, first, &random);
+      irradiance += paths_.but_spots(moment.instant, sight.point, first, &random);
       radiance += static_cast<float>(1 / kPi) * sight.reflectance * irradiance;
     }
     for (int c = 0; c < 3; ++c) sum[c] += radiance[c];

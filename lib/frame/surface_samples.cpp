@@ -46,15 +46,16 @@ Vec3 point_in(const Stretch& triangle, Point2 p) {
 
 }  // namespace
 
-std::vector<RestSample> surface_samples(const Scene& scene, const std::vector<bool>& wanted, uint32_t count) {
+std::vector<RestSample> surface_samples(const Scene& scene, const std::vector<bool>& wanted, uint32_t count,
+                                        const SampleShift& shift) {
   Stretches stretches;
   for (uint32_t i = 0; i < wanted.size(); ++i)
     if (wanted[i]) stretches.add(scene, i / 2, i % 2);
   std::vector<RestSample> samples;
   if (!(stretches.area() > 0)) return samples;
   for (uint32_t i = 0; i < count; ++i) {
-    const Stretch& triangle = stretches.at((i + 0.5) / count * stretches.area());
-    samples.push_back({triangle.polygon, triangle.side, point_in(triangle, r2_point(i, 0.5, 0.5))});
+    const Stretch& triangle = stretches.at((i + shift.area) / count * stretches.area());
+    samples.push_back({triangle.polygon, triangle.side, point_in(triangle, r2_point(i, shift.u, shift.v))});
   }
   return samples;
 }

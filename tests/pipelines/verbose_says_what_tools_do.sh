@@ -25,6 +25,7 @@ says 'frame 3: [0-9.]+ s$' strad-frame -f 3 --ply solved
 says 'frame 3: [0-9.]+ s$' strad-frame -f 1:3 --ply -o ply.%d.ply solved
 says 'frame 3: [0-9.]+ s$' strad-frame -f 1:3 --pov -o pov.%d.inc solved
 says 'point 0: .* 0\.[0-9]+ m from the position asked for, on ' strad-probe --at 1,0.1,1 -n 2 solved
+says '[0-9]+ points count$' strad-check --points 50 --paths 16 solved
 says 'solved: [0-9]+ polygons.* 1 solved slabs' strad-info solved
 says 'joined 1 streams' strad-join solved
 says 'solved: [0-9]+ polygons' strad-diff solved solved
