@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "frame/emitter_groups.h"
 #include "frame/frame_light.h"
+#include "frame/lit_groups.h"
 #include "frame/surfaces.h"
 #include "image/image.h"
 #include "light/tracer.h"

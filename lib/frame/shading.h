@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "frame/camera.h"
-#include "frame/emitter_groups.h"
 #include "frame/frame_light.h"
+#include "frame/lit_groups.h"
 #include "frame/surfaces.h"
 
 namespace strad {
@@ -26,7 +26,7 @@ struct FrameView {
 // Light of an emitter group on its way to a sample, before what stands between is taken off.
 struct GroupShare {
   Rgb radiance;           // what it would add to the sample's
-  double irradiance = 0;  // of an UnoccludedIrradiance
+  double irradiance = 0;  // unoccluded_irradiance of the group
   ShadowRays shadow;      // what the rays so far say
 };
 
@@ -36,11 +36,6 @@ struct Sample {
   uint32_t leaf = kNone;  // of the mesh, where elements show
   uint64_t spots = 0;     // which of them reach the point
   Rgb base;               // radiance of all but emitter groups
-};
-
-// Points [first, first + count) of the groups' sequences.
-struct ShadowPoints {
-  uint32_t first = 0, count = 0;
 };
 
 // What is seen through (x, y), pixels, at an instant.

@@ -1,8 +1,9 @@
 // Emitter groups and spotlights at single points.
-#include "frame/emitter_groups.h"
+#include "frame/lit_groups.h"
 
 #include <gtest/gtest.h>
 
+#include "base/rng.h"
 #include "synthetic.h"
 
 namespace strad {
@@ -34,13 +35,13 @@ double square_irradiance(double a, double h) {
 
 ShadowRays rays(const Scene& scene, const SurfacePoint& point, uint32_t count, double* irradiance) {
   const Tracer tracer(scene);
-  const std::vector<EmitterGroup> lights = emitter_groups(scene);
-  const LitInstant lit = lit_instant(scene, lights, 0);
-  UnoccludedIrradiance unoccluded;
-  find_unoccluded(lit.emitters[0], point, &unoccluded);
-  *irradiance = unoccluded.total;
+  const std::vector<EmitterGroup> groups = emitter_groups(scene);
+  const LitInstant lit = lit_instant(scene, groups, 0);
+  GroupSight sight;
+  see_group(lit.groups[0], point, &sight);
+  *irradiance = unoccluded_irradiance(lit.groups[0], point, sight);
   ShadowRays shadow;
-  add_shadow_rays(tracer, lit, lit.emitters[0], point, unoccluded, 0, count, &shadow);
+  add_shadow_rays(tracer, lit.instant, lit.groups[0], point, *irradiance, {0, count, 0}, &sight, &shadow);
   return shadow;
 }
 
@@ -76,6 +77,76 @@ TEST(EmitterGroups, HalfHiddenByAScreen) {
     EXPECT_EQ(shadow.rays, 256);
     EXPECT_NEAR(free_fraction(shadow), 0.5, 0.01);
   }
+}
+
+// A ball of 8 x 4 quads and triangles about `centre`, each facet an object of its own, with one material.
+void add_ball(Scene* scene, Vec3 centre, double radius) {
+  const auto at = [&](int ring, int segment) {
+    const double t = kPi * ring / 4, p = kPi * segment / 4;
+    if (ring == 0 || ring == 4) return centre + radius * Vec3{0, 0, ring == 0 ? 1.0 : -1.0};
+    return centre + radius * Vec3{std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)};
+  };
+  for (int r = 0; r < 4; ++r) {
+    for (int s = 0; s < 8; ++s) {
+      const uint32_t p =
+          add_quad(scene, at(r, s), at(r + 1, s), at(r + 1, (s + 1) % 8), at(r, (s + 1) % 8), {}, {1, 1, 1});
+      Polygon& polygon = scene->polygons[p];
+      polygon.material = 0;
+      if (r == 0) polygon.corners[3] = kNone;
+      if (r == 3) polygon.corners[2] = polygon.corners[3], polygon.corners[3] = kNone;
+    }
+  }
+}
+
+// The outlines of a ball give what its facets give one by one, where it is above the horizon, where the
+// horizon cuts it and from within its reach.
+TEST(EmitterGroups, OutlinesGiveTheSumOfFacets) {
+  Scene scene;
+  add_ball(&scene, {0, 0, 0}, 1);
+  const std::vector<EmitterGroup> groups = emitter_groups(scene);
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_EQ(groups[0].polygons.size(), 32u);
+  EXPECT_EQ(groups[0].vertices.size(), 26u);  // 3 rings of 8 and the poles
+  EXPECT_EQ(groups[0].edges.size(), 56u);     // Euler: V - E + F = 2
+  const LitInstant lit = lit_instant(scene, groups, 0);
+  GroupSight sight;
+  int cut = 0;
+  for (uint32_t i = 0; i < 200; ++i) {
+    const Point2 at = r2_point(i, 0.1, 0.2), towards = r2_point(i, 0.6, 0.4);
+    const double z = 2 * at.u - 1, ring = std::sqrt(1 - z * z), distance = 1.05 + 0.05 * i;
+    const double nz = 2 * towards.u - 1, nring = std::sqrt(1 - nz * nz);
+    SurfacePoint point;
+    point.position = distance * Vec3{ring * std::cos(2 * kPi * at.v), ring * std::sin(2 * kPi * at.v), z};
+    point.normal = {nring * std::cos(2 * kPi * towards.v), nring * std::sin(2 * kPi * towards.v), nz};
+    see_group(lit.groups[0], point, &sight);
+    double sum = 0;
+    for (const Emitter& facet : lit.groups[0].facets) {
+      if (is_before(facet, point.position))
+        sum += unit_irradiance(point.position, point.normal, facet.corners.data(), facet.count);
+    }
+    EXPECT_NEAR(unoccluded_irradiance(lit.groups[0], point, sight), sum, 1e-12) << i;
+    cut += sight.sets && sum > 0;
+  }
+  EXPECT_GT(cut, 20);
+}
+
+// Samples of it are weighted to a mean of 1 and none is lost: about as many as facets that are seen.
+TEST(EmitterGroups, SamplesOfABallHaveMeanOne) {
+  Scene scene;
+  add_ball(&scene, {0, 0, 2}, 0.5);
+  double irradiance = 0;
+  const ShadowRays shadow = rays(scene, kOrigin, 1024, &irradiance);
+  EXPECT_NEAR(shadow.all / 1024, 1, 0.02);
+  EXPECT_EQ(free_fraction(shadow), 1);
+}
+
+// One material, but neither one object nor any corner in common.
+TEST(EmitterGroups, LampsApartAreTwo) {
+  Scene scene;
+  add_lamp(&scene);
+  add_quad(&scene, {2, -1, 2}, {2, 1, 2}, {3, 1, 2}, {3, -1, 2}, {}, {1, 1, 1});
+  scene.polygons.back().material = 0;
+  EXPECT_EQ(emitter_groups(scene).size(), 2u);
 }
 
 TEST(EmitterGroups, NothingFromBehindTheLampOrTheSurface) {

@@ -1,0 +1,183 @@
+#include "frame/lit_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/rng.h"
+#include "frame/sobol.h"
+
+namespace strad {
+namespace {
+
+// Angles whose cosine is no further from 1 than this have their sine by a power series.
+constexpr double kSmallVersine = 0.002;
+
+// angle / sin(angle) from x = 1 - cos(angle): f satisfies x (2 - x) f' = 1 - (1 - x) f, so the coefficients
+// are a[n] = a[n - 1] n / (2 n + 1) from a[0] = 1. Each term is less than x / 2 of the one before.
+double angle_over_sine(double x) { return 1 + x / 3 * (1 + x * 2 / 5 * (1 + x * 3 / 7 * (1 + x * 4 / 9))); }
+
+// What the edge from a to b, relative to the point, adds to twice the irradiance: its angle times the cosine
+// between `normal` and the normal of the plane through edge and point (Baum et al. 1989, eq. 9).
+double edge_irradiance(Vec3 a, Vec3 b, Vec3 normal) {
+  const Vec3 across = cross(a, b);
+  const double cosine = dot(a, b), lengths = std::sqrt(length2(a) * length2(b));
+  if (!(lengths > 0)) return 0;
+  const double versine = 1 - cosine / lengths;
+  if (versine < kSmallVersine) return angle_over_sine(versine) * dot(across, normal) / lengths;
+  const double sine = length(across);
+  return sine > 1e-12 * lengths ? std::atan2(sine, cosine) * dot(across, normal) / sine : 0;
+}
+
+Vec3 on_horizon(Vec3 a, Vec3 b, double height_a, double height_b) {
+  return lerp(a, b, height_a / (height_a - height_b));
+}
+
+// The same for the part of the edge above the horizon.
+double clipped_edge(Vec3 a, Vec3 b, double height_a, double height_b, Vec3 normal) {
+  if (height_a <= 0 && height_b <= 0) return 0;
+  if (height_a <= 0) a = on_horizon(a, b, height_a, height_b);
+  if (height_b <= 0) b = on_horizon(a, b, height_a, height_b);
+  return edge_irradiance(a, b, normal);
+}
+
+// What closes a facet that the horizon cuts: the edge from where its outline sets to where it rises.
+double horizon_edge(const LitGroup& group, size_t facet, const SurfacePoint& point, const GroupSight& sight) {
+  const Emitter& emitter = group.facets[facet];
+  const auto& corners = group.group->corners[facet];
+  Vec3 sets, rises;
+  bool cut = false;
+  for (int i = 0; i < emitter.count; ++i) {
+    const int next = (i + 1) % emitter.count;
+    const double ha = sight.height[corners[static_cast<size_t>(i)]],
+                 hb = sight.height[corners[static_cast<size_t>(next)]];
+    if ((ha > 0) == (hb > 0)) continue;
+    cut = true;
+    (ha > 0 ? sets : rises) = on_horizon(emitter.corners[static_cast<size_t>(i)] - point.position,
+                                         emitter.corners[static_cast<size_t>(next)] - point.position, ha, hb);
+  }
+  return cut ? edge_irradiance(sets, rises, point.normal) : 0;
+}
+
+// m: mean height of a facet above the horizon, corners below counted as 0.
+double height_above(const LitGroup& group, size_t facet, const GroupSight& sight) {
+  const int count = group.facets[facet].count;
+  double sum = 0;
+  for (int c = 0; c < count; ++c)
+    sum += std::max(0.0, sight.height[group.group->corners[facet][static_cast<size_t>(c)]]);
+  return sum / count;
+}
+
+// About what each facet gives: from its middle, with its mean height above the horizon, so that none is left
+// out of which some is seen, and never more than a disc of its area would.
+void weigh_facets(const LitGroup& group, const SurfacePoint& point, GroupSight* sight) {
+  const size_t count = group.facets.size();
+  sight->up_to.resize(count);
+  double* weight = sight->up_to.data();
+  const double *x = group.centres.x.data(), *y = group.centres.y.data(), *z = group.centres.z.data();
+  const double *area = group.areas.data(), *distance = sight->distance.data();
+  const Vec3 p = point.position, n = point.normal;
+  for (size_t f = 0; f < count; ++f) {
+    const double tx = x[f] - p.x, ty = y[f] - p.y, tz = z[f] - p.z;
+    const double distance2 = tx * tx + ty * ty + tz * tz + area[f] * (1 / kPi);
+    const double height = tx * n.x + ty * n.y + tz * n.z;
+    const double before = distance[f] > 0 ? distance[f] : 0;
+    weight[f] = before * (sight->sets ? 1 : height) * area[f] / (distance2 * distance2);
+  }
+  double total = 0;
+  for (size_t f = 0; f < count; ++f) {
+    if (sight->sets && weight[f] > 0) weight[f] *= height_above(group, f, *sight);
+    weight[f] = total += weight[f];
+  }
+}
+
+}  // namespace
+
+LitInstant lit_instant(const Scene& scene, const std::vector<EmitterGroup>& groups, double time) {
+  LitInstant lit;
+  lit.instant = instant_at(scene, time);
+  lit.cones = cones_of(scene.spots);
+  for (const EmitterGroup& group : groups) {
+    LitGroup& at_time = lit.groups.emplace_back();
+    at_time.group = &group;
+    at_time.radiance = lit.instant.glow[group.material] * scene.materials[group.material].emission;
+    for (const uint32_t p : group.polygons) {
+      const Emitter facet = emitter_at(scene, p, lit.instant.world_from_body);
+      at_time.facets.push_back(facet);
+      at_time.centres.add(facet.centre);
+      at_time.normals.add(facet.normal);
+      at_time.levels.push_back(dot(facet.normal, facet.corners[0]));
+      at_time.areas.push_back(facet.area);
+    }
+    for (const Vec3 rest : group.vertices)
+      at_time.vertices.add(lit.instant.world_from_body[group.body] * rest);
+  }
+  return lit;
+}
+
+void see_group(const LitGroup& group, const SurfacePoint& point, GroupSight* sight) {
+  const size_t facets = group.facets.size(), vertices = group.vertices.x.size();
+  sight->distance.resize(facets + 1);
+  sight->height.resize(vertices);
+  double *distance = sight->distance.data(), *height = sight->height.data();
+  const Vec3 p = point.position, n = point.normal;
+  const double *nx = group.normals.x.data(), *ny = group.normals.y.data(), *nz = group.normals.z.data();
+  const double* level = group.levels.data();
+  for (size_t f = 0; f < facets; ++f) distance[f] = nx[f] * p.x + ny[f] * p.y + nz[f] * p.z - level[f];
+  distance[facets] = -1;
+  const uint32_t* polygon = group.group->polygons.data();
+  for (size_t f = 0; f < facets; ++f) distance[f] = polygon[f] == point.polygon ? -1 : distance[f];
+  const double *x = group.vertices.x.data(), *y = group.vertices.y.data(), *z = group.vertices.z.data();
+  double lowest = std::numeric_limits<double>::infinity();
+  for (size_t v = 0; v < vertices; ++v) {
+    height[v] = (x[v] - p.x) * n.x + (y[v] - p.y) * n.y + (z[v] - p.z) * n.z;
+    lowest = std::min(lowest, height[v]);
+  }
+  sight->sets = !(lowest > 0);
+}
+
+double unoccluded_irradiance(const LitGroup& group, const SurfacePoint& point, const GroupSight& sight) {
+  double sum = 0;
+  for (const GroupEdge& edge : group.group->edges) {
+    const bool left = sight.distance[edge.left] > 0, right = sight.distance[edge.right] > 0;
+    if (left == right) continue;
+    const double along =
+        clipped_edge(group.vertices[edge.from] - point.position, group.vertices[edge.to] - point.position,
+                     sight.height[edge.from], sight.height[edge.to], point.normal);
+    sum += left ? along : -along;
+  }
+  for (size_t f = 0; sight.sets && f < group.facets.size(); ++f)
+    if (sight.distance[f] > 0) sum += horizon_edge(group, f, point, sight);
+  return std::max(0.0, -0.5 * sum);  // outlines run against the clock as seen from the point
+}
+
+void add_shadow_rays(const Tracer& tracer, const Instant& instant, const LitGroup& group,
+                     const SurfacePoint& point, double irradiance, ShadowPoints points, GroupSight* sight,
+                     ShadowRays* shadow) {
+  if (!(irradiance > 0)) return;
+  weigh_facets(group, point, sight);
+  const std::vector<double>& up_to = sight->up_to;
+  if (!(up_to.back() > 0)) return;
+  const Vec3 lifted = point.position + tracer.offset() * point.normal;
+  const uint64_t scramble = hash_of(points.scramble, group.group->polygons.front());
+  for (uint32_t i = points.first; i < points.first + points.count; ++i) {
+    const Point2 at = sobol_point(i, scramble);
+    // A facet in proportion to what it likely gives; the place within its share is uniform again.
+    const double target = at.u * up_to.back();
+    const auto chosen = std::upper_bound(up_to.begin(), up_to.end() - 1, target);
+    const Emitter& facet = group.facets[static_cast<size_t>(chosen - up_to.begin())];
+    const double below = chosen == up_to.begin() ? 0 : *(chosen - 1);
+    const double share = *chosen - below, u = std::clamp((target - below) / share, 0.0, 1.0);
+    const Vec3 on_facet = point_on(facet, u, at.v);
+    const double weight = stretch_at(facet, u, at.v) * point_irradiance(facet, on_facet, point) *
+                          up_to.back() / (share * irradiance);
+    if (!(weight > 0)) continue;
+    ++shadow->rays;
+    shadow->all += static_cast<float>(weight);
+    if (tracer.occluded(instant.world_from_body, lifted, on_facet + tracer.offset() * facet.normal)) continue;
+    ++shadow->free;
+    shadow->seen += static_cast<float>(weight);
+  }
+}
+
+}  // namespace strad
