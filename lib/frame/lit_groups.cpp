@@ -91,6 +91,42 @@ void weigh_facets(const LitGroup& group, const SurfacePoint& point, GroupSight* 
   }
 }
 
+// A point of a facet that stands for an area, relative to that of the facet.
+struct FacetPoint {
+  Vec3 position;
+  double area;
+};
+
+// Maps the unit square onto the part of the facet above the horizon.
+FacetPoint facet_point(const LitGroup& group, size_t f, const GroupSight& sight, Point2 at) {
+  const Emitter& facet = group.facets[f];
+  const auto& corners = group.group->corners[f];
+  const auto height = [&](int c) { return sight.height[corners[static_cast<size_t>(c % facet.count)]]; };
+  bool cut = false;
+  for (int c = 0; sight.sets && c < facet.count; ++c) cut |= !(height(c) > 0);
+  if (!cut) return {point_on(facet, at.u, at.v), stretch_at(facet, at.u, at.v)};
+  Vec3 kept[5];
+  int count = 0;
+  for (int c = 0; c < facet.count; ++c) {
+    const Vec3 a = facet.corners[static_cast<size_t>(c)],
+               b = facet.corners[static_cast<size_t>((c + 1) % facet.count)];
+    if (height(c) > 0) kept[count++] = a;
+    if ((height(c) > 0) != (height(c + 1) > 0)) kept[count++] = on_horizon(a, b, height(c), height(c + 1));
+  }
+  double up_to[5] = {0, 0, 0, 0, 0};
+  for (int t = 2; t < count; ++t)
+    up_to[t] = up_to[t - 1] + length(cross(kept[t - 1] - kept[0], kept[t] - kept[0])) / 2;
+  if (count < 3 || !(up_to[count - 1] > 0)) return {facet.centre, 0};
+  const double target = at.u * up_to[count - 1];
+  int t = 2;
+  while (t + 1 < count && target >= up_to[t]) ++t;
+  const double share = up_to[t] - up_to[t - 1];
+  const double root = std::sqrt(share > 0 ? std::clamp((target - up_to[t - 1]) / share, 0.0, 1.0) : 0);
+  const Vec3 position =
+      (1 - root) * kept[0] + root * (1 - at.v) * kept[t - 1] + root * at.v * kept[t];  // Turk 1990
+  return {position, up_to[count - 1] / facet.area};
+}
+
 }  // namespace
 
 LitInstant lit_instant(const Scene& scene, const std::vector<EmitterGroup>& groups, double time) {
@@ -159,18 +195,20 @@ void add_shadow_rays(const Tracer& tracer, const Instant& instant, const LitGrou
   const std::vector<double>& up_to = sight->up_to;
   if (!(up_to.back() > 0)) return;
   const Vec3 lifted = point.position + tracer.offset() * point.normal;
-  const uint64_t scramble = hash_of(points.scramble, group.group->polygons.front());
-  for (uint32_t i = points.first; i < points.first + points.count; ++i) {
-    const Point2 at = sobol_point(i, scramble);
+  OwenSequence sequence(points.first, hash_of(points.scramble, group.group->polygons.front()));
+  for (uint32_t i = 0; i < points.count; ++i) {
+    const Point2 at = sequence.next();
     // A facet in proportion to what it likely gives; the place within its share is uniform again.
     const double target = at.u * up_to.back();
     const auto chosen = std::upper_bound(up_to.begin(), up_to.end() - 1, target);
     const Emitter& facet = group.facets[static_cast<size_t>(chosen - up_to.begin())];
     const double below = chosen == up_to.begin() ? 0 : *(chosen - 1);
     const double share = *chosen - below, u = std::clamp((target - below) / share, 0.0, 1.0);
-    const Vec3 on_facet = point_on(facet, u, at.v);
-    const double weight = stretch_at(facet, u, at.v) * point_irradiance(facet, on_facet, point) *
-                          up_to.back() / (share * irradiance);
+    const FacetPoint target_point =
+        facet_point(group, static_cast<size_t>(chosen - up_to.begin()), *sight, {u, at.v});
+    const Vec3 on_facet = target_point.position;
+    const double weight =
+        target_point.area * point_irradiance(facet, on_facet, point) * up_to.back() / (share * irradiance);
     if (!(weight > 0)) continue;
     ++shadow->rays;
     shadow->all += static_cast<float>(weight);

@@ -63,7 +63,7 @@ struct ShadowRays {
 // The visible fraction of a group.
 inline float free_fraction(const ShadowRays& shadow) { return shadow.all > 0 ? shadow.seen / shadow.all : 0; }
 
-// Points [first, first + count) of a scrambled sequence of points on a group.
+// Points [first, first + count) of a scrambled sequence of points on a group, which follows from `scramble`.
 struct ShadowPoints {
   uint32_t first = 0, count = 0;
   uint64_t scramble = 0;

@@ -21,6 +21,7 @@ struct FrameView {
   std::vector<LitInstant> instants;  // of the exposure, evenly spread; one where the shutter is not open
   size_t group_count = 0;            // 0 also where direct light comes from the mesh
   bool trace_direct = true;
+  uint32_t lamp_samples = 32;  // shadow rays of a corner to each emitter group in whose penumbra it lies
 };
 
 // Light of an emitter group on its way to a sample, before what stands between is taken off.

@@ -45,7 +45,7 @@ ShadowRays rays(const Scene& scene, const SurfacePoint& point, uint32_t count, d
   return shadow;
 }
 
-TEST(EmitterGroups, UnshadowedSquareIsExact) {
+TEST(LitGroups, UnshadowedSquareIsExact) {
   Scene scene;
   add_lamp(&scene);
   double irradiance = 0;
@@ -56,7 +56,7 @@ TEST(EmitterGroups, UnshadowedSquareIsExact) {
   EXPECT_EQ(free_fraction(shadow), 1);
 }
 
-TEST(EmitterGroups, PiecesOfOneObjectAreOneLight) {
+TEST(LitGroups, PiecesOfOneObjectAreOneLight) {
   const Scene scene = pieces_scene();
   EXPECT_EQ(emitter_groups(scene).size(), 1u);
   double irradiance = 0;
@@ -65,7 +65,7 @@ TEST(EmitterGroups, PiecesOfOneObjectAreOneLight) {
   EXPECT_NEAR(shadow.all / 256, 1, 0.02);
 }
 
-TEST(EmitterGroups, HalfHiddenByAScreen) {
+TEST(LitGroups, HalfHiddenByAScreen) {
   for (const bool pieces : {false, true}) {
     Scene scene = pieces ? pieces_scene() : Scene{};
     if (!pieces) add_lamp(&scene);
@@ -100,7 +100,7 @@ void add_ball(Scene* scene, Vec3 centre, double radius) {
 
 // The outlines of a ball give what its facets give one by one, where it is above the horizon, where the
 // horizon cuts it and from within its reach.
-TEST(EmitterGroups, OutlinesGiveTheSumOfFacets) {
+TEST(LitGroups, OutlinesGiveTheSumOfFacets) {
   Scene scene;
   add_ball(&scene, {0, 0, 0}, 1);
   const std::vector<EmitterGroup> groups = emitter_groups(scene);
@@ -131,7 +131,7 @@ TEST(EmitterGroups, OutlinesGiveTheSumOfFacets) {
 }
 
 // Samples of it are weighted to a mean of 1 and none is lost: about as many as facets that are seen.
-TEST(EmitterGroups, SamplesOfABallHaveMeanOne) {
+TEST(LitGroups, SamplesOfABallHaveMeanOne) {
   Scene scene;
   add_ball(&scene, {0, 0, 2}, 0.5);
   double irradiance = 0;
@@ -141,7 +141,7 @@ TEST(EmitterGroups, SamplesOfABallHaveMeanOne) {
 }
 
 // One material, but neither one object nor any corner in common.
-TEST(EmitterGroups, LampsApartAreTwo) {
+TEST(LitGroups, LampsApartAreTwo) {
   Scene scene;
   add_lamp(&scene);
   add_quad(&scene, {2, -1, 2}, {2, 1, 2}, {3, 1, 2}, {3, -1, 2}, {}, {1, 1, 1});
@@ -149,7 +149,19 @@ TEST(EmitterGroups, LampsApartAreTwo) {
   EXPECT_EQ(emitter_groups(scene).size(), 2u);
 }
 
-TEST(EmitterGroups, NothingFromBehindTheLampOrTheSurface) {
+// A lamp that the horizon cuts: no ray is lost on the part below, so few rays always find it. The floor's
+// point looks along x, and of the lamp [-1, 1] x [-1, 1] only what lies at x > 0.9 is above its horizon.
+TEST(LitGroups, RaysGoAboveTheHorizon) {
+  Scene scene;
+  add_lamp(&scene);
+  double irradiance = 0;
+  const ShadowRays shadow = rays(scene, {{0.9, 0, 0}, {1, 0, 0}, kNone}, 64, &irradiance);
+  EXPECT_EQ(shadow.rays, 64);
+  EXPECT_NEAR(shadow.all / 64, 1, 0.1);
+  EXPECT_EQ(free_fraction(shadow), 1);
+}
+
+TEST(LitGroups, NothingFromBehindTheLampOrTheSurface) {
   Scene scene;
   add_lamp(&scene);
   double irradiance = 0;
@@ -159,7 +171,7 @@ TEST(EmitterGroups, NothingFromBehindTheLampOrTheSurface) {
   EXPECT_EQ(irradiance, 0);
 }
 
-TEST(EmitterGroups, SpotFallsWithTheSquareOfDistance) {
+TEST(LitGroups, SpotFallsWithTheSquareOfDistance) {
   Scene scene;
   add_quad(&scene, {-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0});
   scene.spots.push_back({"key", 0, 0.3, 0.5, {{0, {0, 0, 2}, {0, 0, 0}, {8, 4, 2}}}});
