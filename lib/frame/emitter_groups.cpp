@@ -117,6 +117,7 @@ std::vector<EmitterGroup> emitter_groups(const Scene& scene) {
     for (const Facet& facet : facets) group.polygons.push_back(facet.polygon);
     add_corners(scene, &group);
     add_edges(&group);
+    group.views = GroupViews(group);
   }
   return groups;
 }

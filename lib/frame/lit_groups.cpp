@@ -10,25 +10,6 @@
 namespace strad {
 namespace {
 
-// Angles whose cosine is no further from 1 than this have their sine by a power series.
-constexpr double kSmallVersine = 0.002;
-
-// angle / sin(angle) from x = 1 - cos(angle): f satisfies x (2 - x) f' = 1 - (1 - x) f, so the coefficients
-// are a[n] = a[n - 1] n / (2 n + 1) from a[0] = 1. Each term is less than x / 2 of the one before.
-double angle_over_sine(double x) { return 1 + x / 3 * (1 + x * 2 / 5 * (1 + x * 3 / 7 * (1 + x * 4 / 9))); }
-
-// What the edge from a to b, relative to the point, adds to twice the irradiance: its angle times the cosine
-// between `normal` and the normal of the plane through edge and point (Baum et al. 1989, eq. 9).
-double edge_irradiance(Vec3 a, Vec3 b, Vec3 normal) {
-  const Vec3 across = cross(a, b);
-  const double cosine = dot(a, b), lengths = std::sqrt(length2(a) * length2(b));
-  if (!(lengths > 0)) return 0;
-  const double versine = 1 - cosine / lengths;
-  if (versine < kSmallVersine) return angle_over_sine(versine) * dot(across, normal) / lengths;
-  const double sine = length(across);
-  return sine > 1e-12 * lengths ? std::atan2(sine, cosine) * dot(across, normal) / sine : 0;
-}
-
 Vec3 on_horizon(Vec3 a, Vec3 b, double height_a, double height_b) {
   return lerp(a, b, height_a / (height_a - height_b));
 }
@@ -127,6 +108,37 @@ FacetPoint facet_point(const LitGroup& group, size_t f, const GroupSight& sight,
   return {position, up_to[count - 1] / facet.area};
 }
 
+bool see_from_afar(const LitGroup& group, const SurfacePoint& point, GroupSight* sight) {
+  const GroupViews& views = group.group->views;
+  const Pose rest_from_world = inverse(group.world_from_rest);
+  sight->position = rest_from_world * point.position;
+  sight->view = views.from(sight->position);
+  if (!sight->view) return false;
+  sight->normal = rotate(rest_from_world, point.normal);
+  sight->sets = false;
+  if (!(dot(views.centre() - sight->position, sight->normal) > views.radius())) {
+    sight->view = nullptr;
+    return false;
+  }
+  sight->before.assign({0, 1});
+  for (const GroupView::Plane& plane : sight->view->doubtful)
+    sight->before.push_back(dot(plane.normal, sight->position) > plane.level);
+  return true;
+}
+
+double irradiance_from_afar(const LitGroup& group, const GroupSight& sight) {
+  const std::vector<Vec3>& vertices = group.group->vertices;
+  double sum = 0;
+  for (const ViewEdge& edge : sight.view->edges) {
+    const bool left = sight.before[edge.left];
+    if (left == static_cast<bool>(sight.before[edge.right])) continue;
+    const double along = edge_irradiance(vertices[edge.from] - sight.position,
+                                         vertices[edge.to] - sight.position, sight.normal);
+    sum += left ? along : -along;
+  }
+  return std::max(0.0, -0.5 * sum);
+}
+
 }  // namespace
 
 LitInstant lit_instant(const Scene& scene, const std::vector<EmitterGroup>& groups, double time) {
@@ -136,6 +148,7 @@ LitInstant lit_instant(const Scene& scene, const std::vector<EmitterGroup>& grou
   for (const EmitterGroup& group : groups) {
     LitGroup& at_time = lit.groups.emplace_back();
     at_time.group = &group;
+    at_time.world_from_rest = lit.instant.world_from_body[group.body];
     at_time.radiance = lit.instant.glow[group.material] * scene.materials[group.material].emission;
     for (const uint32_t p : group.polygons) {
       const Emitter facet = emitter_at(scene, p, lit.instant.world_from_body);
@@ -152,6 +165,7 @@ LitInstant lit_instant(const Scene& scene, const std::vector<EmitterGroup>& grou
 }
 
 void see_group(const LitGroup& group, const SurfacePoint& point, GroupSight* sight) {
+  if (see_from_afar(group, point, sight)) return;
   const size_t facets = group.facets.size(), vertices = group.vertices.x.size();
   sight->distance.resize(facets + 1);
   sight->height.resize(vertices);
@@ -173,6 +187,7 @@ void see_group(const LitGroup& group, const SurfacePoint& point, GroupSight* sig
 }
 
 double unoccluded_irradiance(const LitGroup& group, const SurfacePoint& point, const GroupSight& sight) {
+  if (sight.view) return irradiance_from_afar(group, sight);
   double sum = 0;
   for (const GroupEdge& edge : group.group->edges) {
     const bool left = sight.distance[edge.left] > 0, right = sight.distance[edge.right] > 0;
@@ -191,9 +206,9 @@ void add_shadow_rays(const Tracer& tracer, const Instant& instant, const LitGrou
                      const SurfacePoint& point, double irradiance, ShadowPoints points, GroupSight* sight,
                      ShadowRays* shadow) {
   if (!(irradiance > 0)) return;
-  weigh_facets(group, point, sight);
-  const std::vector<double>& up_to = sight->up_to;
-  if (!(up_to.back() > 0)) return;
+  if (!sight->view) weigh_facets(group, point, sight);
+  const std::vector<double>& up_to = sight->view ? sight->view->up_to : sight->up_to;
+  if (up_to.empty() || !(up_to.back() > 0)) return;
   const Vec3 lifted = point.position + tracer.offset() * point.normal;
   OwenSequence sequence(points.first, hash_of(points.scramble, group.group->polygons.front()));
   for (uint32_t i = 0; i < points.count; ++i) {
@@ -201,11 +216,12 @@ void add_shadow_rays(const Tracer& tracer, const Instant& instant, const LitGrou
     // A facet in proportion to what it likely gives; the place within its share is uniform again.
     const double target = at.u * up_to.back();
     const auto chosen = std::upper_bound(up_to.begin(), up_to.end() - 1, target);
-    const Emitter& facet = group.facets[static_cast<size_t>(chosen - up_to.begin())];
+    const auto place = static_cast<size_t>(chosen - up_to.begin());
+    const size_t f = sight->view ? sight->view->facets[place] : place;
+    const Emitter& facet = group.facets[f];
     const double below = chosen == up_to.begin() ? 0 : *(chosen - 1);
     const double share = *chosen - below, u = std::clamp((target - below) / share, 0.0, 1.0);
-    const FacetPoint target_point =
-        facet_point(group, static_cast<size_t>(chosen - up_to.begin()), *sight, {u, at.v});
+    const FacetPoint target_point = facet_point(group, f, *sight, {u, at.v});
     const Vec3 on_facet = target_point.position;
     const double weight =
         target_point.area * point_irradiance(facet, on_facet, point) * up_to.back() / (share * irradiance);

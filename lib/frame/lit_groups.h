@@ -22,6 +22,7 @@ struct Vec3Columns {
 // A group where it is at an instant, in world coordinates.
 struct LitGroup {
   const EmitterGroup* group = nullptr;
+  Pose world_from_rest;
   Rgb radiance;  // W / (sr m^2)
   std::vector<Emitter> facets;
   Vec3Columns vertices;
@@ -45,6 +46,10 @@ struct GroupSight {
   std::vector<double> height;    // m, per vertex: above the horizon of the point
   bool sets = false;             // is a vertex below the horizon?
   std::vector<double> up_to;     // running sum over the facets of about what each gives
+  // Where the whole group is far and above the horizon its view replaces all of the above.
+  const GroupView* view = nullptr;
+  Vec3 position, normal;        // of the point, rest
+  std::vector<uint8_t> before;  // by ViewEdge::left and right
 };
 // Overwrites `sight`, whose memory is used again.
 void see_group(const LitGroup& group, const SurfacePoint& point, GroupSight* sight);

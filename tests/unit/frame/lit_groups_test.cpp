@@ -110,9 +110,9 @@ TEST(LitGroups, OutlinesGiveTheSumOfFacets) {
   EXPECT_EQ(groups[0].edges.size(), 56u);     // Euler: V - E + F = 2
   const LitInstant lit = lit_instant(scene, groups, 0);
   GroupSight sight;
-  int cut = 0;
+  int cut = 0, far = 0;
   for (uint32_t i = 0; i < 200; ++i) {
-    const Point2 at = r2_point(i, 0.1, 0.2), towards = r2_point(i, 0.6, 0.4);
+    const Point2 at = r2_point(i, 0.1, 0.2), towards{unit_from(hash_of(i, 1)), unit_from(hash_of(i, 2))};
     const double z = 2 * at.u - 1, ring = std::sqrt(1 - z * z), distance = 1.05 + 0.05 * i;
     const double nz = 2 * towards.u - 1, nring = std::sqrt(1 - nz * nz);
     SurfacePoint point;
@@ -126,8 +126,11 @@ TEST(LitGroups, OutlinesGiveTheSumOfFacets) {
     }
     EXPECT_NEAR(unoccluded_irradiance(lit.groups[0], point, sight), sum, 1e-12) << i;
     cut += sight.sets && sum > 0;
+    far += sight.view != nullptr;
+    EXPECT_TRUE(sight.view == nullptr || distance > 3);
   }
   EXPECT_GT(cut, 20);
+  EXPECT_GT(far, 40);
 }
 
 // Samples of it are weighted to a mean of 1 and none is lost: about as many as facets that are seen.
