@@ -54,6 +54,10 @@ void check(const FrameTool& tool) {
   if (request.raster.samples < 1 || request.raster.samples > kMaxSamples) {
     fail_option("--samples", std::to_string(request.raster.samples), "1 to " + std::to_string(kMaxSamples));
   }
+  if (request.raster.lamp_samples < 1 || request.raster.lamp_samples > kMaxSamples) {
+    fail_option("--lamp-samples", std::to_string(request.raster.lamp_samples),
+                "1 to " + std::to_string(kMaxSamples));
+  }
   if (!(request.shutter >= 0 && request.shutter <= 1)) {
     throw BadInput("--shutter: expected a fraction of a frame, 0 to 1");
   }
@@ -83,6 +87,8 @@ FrameTool parse_options(int argc, char** argv) {
   options.text("-s,--size", "WxH", &size, "size in pixels (default 640x480)");
   options.integer("--samples", "N", &request.raster.samples,
                   "samples of a pixel in which there are edges (default 16)");
+  options.integer("--lamp-samples", "N", &request.raster.lamp_samples,
+                  "shadow rays to each lamp that is in part hidden, at each corner of a pixel (default 32)");
   options.number("--shutter", "S", &request.shutter,
                  "motion blur: fraction of a frame that the shutter is open, 0 to 1 (default 0)");
   options.choice("--direct", {"pixel", "mesh"}, &direct,

@@ -2,30 +2,44 @@
 
 #include <algorithm>
 
+#include "base/rng.h"
+#include "frame/penumbra.h"
+
 namespace strad {
 namespace {
 
-// Shadow rays that a corner sends to each emitter group at first. With those of its eight neighbours they are
-// 36, enough to find every shadow that matters.
-constexpr uint32_t kFirstRays = 4;
-// Up to this difference, the free fractions in a pixel and around it are taken to differ by noise alone:
-// twice the noise of 64 rays.
-constexpr float kSmoothShadow = 0.04f;
+// Shadow rays that a corner sends to each emitter group at first. With those of the corners around it they
+// are about 100, enough to find every shadow that matters.
+constexpr uint32_t kFirstRays = 2;
+constexpr int kDetect = 3;  // corners around one among which its first rays must agree
 // If the free fractions at the corners of a pixel differ by more than this, the edge of a shadow passes
 // there.
 constexpr float kSharpShadow = 0.5f;
 
+constexpr int kBlockLevels = 5;  // of blocks of corners that share a sequence: 32 x 32
+constexpr uint64_t kKeyOfFirst = 1;
+
+uint64_t block_key(int x, int y, int level) {
+  return hash_of(static_cast<uint32_t>(x >> level), static_cast<uint32_t>(y >> level),
+                 static_cast<uint64_t>(level));
+}
+
 }  // namespace
 
-uint32_t interleaved_set(int x, int y) {
-  const uint32_t u = static_cast<uint32_t>(x) & 3, v = static_cast<uint32_t>(y) & 3;
-  return (u & 1) | (v & 1) << 1 | (u & 2) << 1 | (v & 2) << 2;
+ShadowPoints corner_points(int x, int y, uint32_t count) {
+  uint32_t place = 0;
+  for (int level = 0; level < kBlockLevels; ++level) {
+    const uint32_t quarter = (static_cast<uint32_t>(x >> level) & 1) | (static_cast<uint32_t>(y >> level) & 1)
+                                                                           << 1;
+    place |= (quarter ^ (block_key(x, y, level + 1) & 3)) << (2 * level);
+  }
+  return {place * count, count, block_key(x, y, kBlockLevels)};
 }
 
 Corners::Corners(const FrameView& view, TileRect rect) : view_(view), groups_(view.group_count) {
-  // The shadow of an emitter group is averaged over the corners of a pixel and those next to them. Whether
-  // these get more rays depends on their own neighbours.
-  const int margin = groups_ > 0 ? 2 : 0;
+  // The shadow of an emitter group is averaged over the corners around a pixel. Whether these get more rays
+  // depends on their own neighbours.
+  const int margin = groups_ > 0 ? kReach + kDetect : 0;
   left_ = static_cast<int>(rect.left) - margin;
   top_ = static_cast<int>(rect.top) - margin;
   right_ = static_cast<int>(rect.right) + 1 + margin;
@@ -41,18 +55,21 @@ void Corners::take_samples() {
   shares_.resize(count * groups_);
   for (int y = top_; y < bottom_; ++y) {
     for (int x = left_; x < right_; ++x) {
-      const ShadowPoints points{kPenumbraRays * interleaved_set(x, y), kFirstRays};
+      ShadowPoints points = corner_points(x, y, kFirstRays);
+      points.scramble = hash_of(points.scramble, kKeyOfFirst);
       corners_[index(x, y)].sample = take_sample(view_, 0, x, y, points, shares(x, y));
     }
   }
 }
 
-// Are all rays to the emitter group from the corner and its eight neighbours free, or all blocked?
+// Are all rays to the emitter group from the corner and those around it free, or all blocked?
 bool Corners::neighbours_agree(int x, int y, size_t light) const {
   bool any_free = false, any_blocked = false;
-  for (int v = y - 1; v <= y + 1; ++v) {
-    for (int u = x - 1; u <= x + 1; ++u) {
-      const ShadowRays& shadow = shares(u, v)[light].shadow;
+  for (int v = y - kDetect; v <= y + kDetect; ++v) {
+    for (int u = x - kDetect; u <= x + kDetect; ++u) {
+      const GroupShare& share = shares(u, v)[light];
+      const ShadowRays& shadow = share.shadow;
+      if (shadow.rays == 0 && share.irradiance > 0) return false;  // none of them says anything
       any_free |= shadow.free > 0;
       any_blocked |= shadow.free < shadow.rays;
     }
@@ -68,8 +85,8 @@ void Corners::refine_shadows() {
     size_t light;
   };
   std::vector<Uneven> uneven;
-  for (int y = top_ + 1; y + 1 < bottom_; ++y) {
-    for (int x = left_ + 1; x + 1 < right_; ++x) {
+  for (int y = top_ + kDetect; y + kDetect < bottom_; ++y) {
+    for (int x = left_ + kDetect; x + kDetect < right_; ++x) {
       for (size_t l = 0; l < groups_; ++l) {
         if (!neighbours_agree(x, y, l)) uneven.push_back({x, y, l});
       }
@@ -78,8 +95,7 @@ void Corners::refine_shadows() {
   for (const auto& [x, y, light] : uneven) {
     Corner& c = corners_[index(x, y)];
     c.even = false;
-    const ShadowPoints more{kPenumbraRays * interleaved_set(x, y) + kFirstRays, kPenumbraRays - kFirstRays};
-    add_shadow_rays(view_, 0, c.sample, light, more, &shares(x, y)[light]);
+    add_shadow_rays(view_, 0, c.sample, light, corner_points(x, y, view_.lamp_samples), &shares(x, y)[light]);
   }
 }
 
@@ -111,33 +127,25 @@ bool Corners::shadow_edge(int x, int y) const {
   return false;
 }
 
-// Visible fraction of an emitter group in a pixel: the mean over the 16 corners around it if that differs
-// from the mean over its own four corners by no more than noise, else the latter.
-float Corners::visible(int x, int y, size_t light) const {
-  ShadowRays near, wide;
-  const auto add = [](const ShadowRays& from, ShadowRays* to) { to->seen += from.seen, to->all += from.all; };
-  for (int v = y - 1; v <= y + 2; ++v) {
-    for (int u = x - 1; u <= x + 2; ++u) {
-      const ShadowRays& shadow = shares(u, v)[light].shadow;
-      // Each corner has the same weight, however many rays it sent.
-      const ShadowRays one{free_fraction(shadow), shadow.all > 0 ? 1.0f : 0.0f, 0, 0};
-      const bool inner = u >= x && u <= x + 1 && v >= y && v <= y + 1;
-      if (inner) add(one, &near);
-      if (inner || on_one_surface(view_, sample(x, y), sample(u, v))) add(one, &wide);
-    }
-  }
-  const float own = free_fraction(near), around = free_fraction(wide);
-  const float blend = std::clamp((std::abs(own - around) - kSmoothShadow) / kSmoothShadow, 0.0f, 1.0f);
-  return around + blend * (own - around);
-}
-
 // Radiance of a pixel from emitter groups: the mean over its corners.
 Rgb Corners::emitted_light(int x, int y) const {
   if (groups_ == 0) return {};
   const bool even = all_even_around(x, y);
   Rgb sum;
+  PenumbraWindow window;
   for (size_t l = 0; l < groups_; ++l) {
-    const float shared = even ? 1 : visible(x, y, l);
+    if (!even) {
+      for (int v = 0; v < kWindow; ++v) {
+        for (int u = 0; u < kWindow; ++u) {
+          const int cx = x + u - kReach, cy = y + v - kReach;
+          const ShadowRays& shadow = shares(cx, cy)[l].shadow;
+          const size_t at = static_cast<size_t>(v * kWindow + u);
+          window.fraction[at] = free_fraction(shadow);
+          window.known[at] = shadow.all > 0 && on_one_surface(view_, sample(x, y), sample(cx, cy));
+        }
+      }
+    }
+    const float shared = even ? 1 : smooth_fraction(window, view_.lamp_samples);
     for (int k = 0; k < 4; ++k) {
       const GroupShare& share = shares(x + (k & 1), y + (k >> 1))[l];
       sum += (even ? free_fraction(share.shadow) : shared) * share.radiance;

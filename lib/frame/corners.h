@@ -12,13 +12,11 @@ struct TileRect {
   uint32_t left, top, right, bottom;  // pixels; right and bottom are one beyond the last
 };
 
-// Shadow rays that a corner sends to an emitter group where some rays of it or its neighbours are free and
-// some are blocked. The 16 corners around a pixel have 256 together.
-constexpr uint32_t kPenumbraRays = 16;
-
-// Which of 16 sets of kPenumbraRays points on the emitters a corner uses. The 4 x 4 corners around a pixel
-// use each set once (interleaved sampling, Keller & Heidrich 2001).
-uint32_t interleaved_set(int x, int y);
+// The points on emitter groups to which a corner sends `count` shadow rays. Those of any block of 2^k x 2^k
+// corners at a multiple of 2^k, up to 32 x 32, are one stretch of a sequence, in an order of blocks within
+// blocks that is shuffled (Ahmed & Wonka 2020): neighbours' errors differ as much as they can, and most of
+// them cancel in a mean over a few corners.
+ShadowPoints corner_points(int x, int y, uint32_t count);
 
 // Corner (x, y) is the upper left corner of pixel (x, y).
 class Corners {
@@ -51,7 +49,6 @@ class Corners {
   void refine_shadows();
   bool neighbours_agree(int x, int y, size_t light) const;
   bool all_even_around(int x, int y) const;
-  float visible(int x, int y, size_t light) const;
 
   const FrameView& view_;
   const size_t groups_;

@@ -1,79 +1,125 @@
 #include "frame/emitter_groups.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
+#include <tuple>
 
-#include "base/rng.h"
-#include "frame/sobol.h"
+#include "base/disjoint_sets.h"
 
 namespace strad {
+namespace {
+
+using Key = std::tuple<uint32_t, uint32_t, double, double, double>;
+
+std::vector<uint32_t> emitting_polygons(const Scene& scene) {
+  std::vector<uint32_t> emitting;
+  for (uint32_t p = 0; p < scene.polygons.size(); ++p)
+    if (emits(scene, scene.polygons[p])) emitting.push_back(p);
+  return emitting;
+}
+
+// Which of the emitting polygons belong together.
+DisjointSets connected(const Scene& scene, const std::vector<uint32_t>& emitting) {
+  DisjointSets sets(emitting.size());
+  std::map<std::pair<uint32_t, uint32_t>, uint32_t> first_of_object;
+  std::map<Key, uint32_t> first_at_place;
+  for (uint32_t i = 0; i < emitting.size(); ++i) {
+    const Polygon& polygon = scene.polygons[emitting[i]];
+    sets.join(i, first_of_object.try_emplace({polygon.object, polygon.material}, i).first->second);
+    for (int c = 0; c < polygon.corner_count(); ++c) {
+      const Vec3 at = scene.vertices[polygon.corners[c]];
+      const Key key{polygon.material, body_of(scene, polygon), at.x, at.y, at.z};
+      sets.join(i, first_at_place.try_emplace(key, i).first->second);
+    }
+  }
+  return sets;
+}
+
+struct Facet {
+  uint32_t polygon;
+  Vec3 centre;
+};
+
+// Halves the facets at the median along the longest side of their box, and the halves again.
+void order_as_tree(std::vector<Facet>* facets, size_t begin, size_t end) {
+  if (end - begin < 3) return;
+  Box box;
+  for (size_t i = begin; i < end; ++i) box.add((*facets)[i].centre);
+  const Vec3 size = box.upper - box.lower;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const auto before = [&](const Facet& a, const Facet& b) {
+    return std::pair(a.centre[axis], a.polygon) < std::pair(b.centre[axis], b.polygon);
+  };
+  const size_t middle = (begin + end) / 2;
+  const auto at = [&](size_t i) { return facets->begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(begin), at(middle), at(end), before);
+  order_as_tree(facets, begin, middle);
+  order_as_tree(facets, middle, end);
+}
+
+void add_corners(const Scene& scene, EmitterGroup* group) {
+  std::map<std::tuple<double, double, double>, uint32_t> known;
+  for (const uint32_t p : group->polygons) {
+    const Polygon& polygon = scene.polygons[p];
+    std::array<uint32_t, 4>& corners = group->corners.emplace_back();
+    corners.fill(kNone);
+    for (int c = 0; c < polygon.corner_count(); ++c) {
+      const Vec3 at = scene.vertices[polygon.corners[c]];
+      const auto [it, is_new] =
+          known.try_emplace({at.x, at.y, at.z}, static_cast<uint32_t>(group->vertices.size()));
+      if (is_new) group->vertices.push_back(at);
+      corners[static_cast<size_t>(c)] = it->second;
+    }
+  }
+}
+
+void add_edges(EmitterGroup* group) {
+  const uint32_t none = static_cast<uint32_t>(group->corners.size());
+  std::map<std::pair<uint32_t, uint32_t>, uint32_t> single;  // edges without a neighbour so far
+  for (uint32_t f = 0; f < group->corners.size(); ++f) {
+    const auto& corners = group->corners[f];
+    const size_t count = corners[3] == kNone ? 3 : 4;
+    for (size_t c = 0; c < count; ++c) {
+      const uint32_t from = corners[c], to = corners[(c + 1) % count];
+      const auto other = single.find({to, from});
+      if (other != single.end()) {
+        group->edges[other->second].right = f;
+        single.erase(other);
+      } else {
+        single.insert_or_assign({from, to}, static_cast<uint32_t>(group->edges.size()));
+        group->edges.push_back({from, to, f, none});
+      }
+    }
+  }
+}
+
+}  // namespace
 
 std::vector<EmitterGroup> emitter_groups(const Scene& scene) {
-  std::map<std::pair<uint32_t, uint32_t>, uint32_t> place;
+  const std::vector<uint32_t> emitting = emitting_polygons(scene);
+  DisjointSets sets = connected(scene, emitting);
+  std::map<uint32_t, std::vector<Facet>> members;
+  for (uint32_t i = 0; i < emitting.size(); ++i) {
+    const Polygon& polygon = scene.polygons[emitting[i]];
+    Vec3 centre;
+    for (int c = 0; c < polygon.corner_count(); ++c)
+      centre += scene.vertices[polygon.corners[c]] / polygon.corner_count();
+    members[sets.find(i)].push_back({emitting[i], centre});
+  }
   std::vector<EmitterGroup> groups;
-  for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
-    const Polygon& polygon = scene.polygons[p];
-    if (!emits(scene, polygon)) continue;
-    const auto [it, is_new] =
-        place.try_emplace({polygon.object, polygon.material}, static_cast<uint32_t>(groups.size()));
-    if (is_new) groups.push_back({polygon.material, {}});
-    groups[it->second].polygons.push_back(p);
+  for (auto& [first, facets] : members) {
+    order_as_tree(&facets, 0, facets.size());
+    const Polygon& polygon = scene.polygons[emitting[first]];
+    EmitterGroup& group = groups.emplace_back();
+    group.material = polygon.material;
+    group.body = body_of(scene, polygon);
+    for (const Facet& facet : facets) group.polygons.push_back(facet.polygon);
+    add_corners(scene, &group);
+    add_edges(&group);
+    group.views = GroupViews(group);
   }
   return groups;
-}
-
-LitInstant lit_instant(const Scene& scene, const std::vector<EmitterGroup>& groups, double time) {
-  LitInstant lit;
-  lit.instant = instant_at(scene, time);
-  lit.cones = cones_of(scene.spots);
-  for (const EmitterGroup& group : groups) {
-    std::vector<Emitter> emitters;
-    for (const uint32_t p : group.polygons)
-      emitters.push_back(emitter_at(scene, p, lit.instant.world_from_body));
-    lit.emitters.push_back(std::move(emitters));
-    lit.radiance.push_back(lit.instant.glow[group.material] * scene.materials[group.material].emission);
-  }
-  return lit;
-}
-
-void find_unoccluded(const std::vector<Emitter>& emitters, const SurfacePoint& point,
-                     UnoccludedIrradiance* irradiance) {
-  irradiance->up_to.clear();
-  irradiance->total = 0;
-  for (const Emitter& emitter : emitters) {
-    if (is_before(emitter, point.position) && emitter.polygon != point.polygon) {
-      irradiance->total +=
-          unit_irradiance(point.position, point.normal, emitter.corners.data(), emitter.count);
-    }
-    irradiance->up_to.push_back(irradiance->total);
-  }
-}
-
-void add_shadow_rays(const Tracer& tracer, const LitInstant& lit, const std::vector<Emitter>& emitters,
-                     const SurfacePoint& point, const UnoccludedIrradiance& unoccluded, uint32_t first,
-                     uint32_t count, ShadowRays* shadow) {
-  if (!(unoccluded.total > 0)) return;
-  const Vec3 lifted = point.position + tracer.offset() * point.normal;
-  const uint64_t scramble = hash_of(emitters.front().polygon);
-  for (uint32_t i = first; i < first + count; ++i) {
-    const Point2 at = sobol_point(i, scramble);
-    // Chooses an emitter in proportion to its irradiance. The number's position within its share is uniform
-    // again.
-    const double target = at.u * unoccluded.total;
-    const auto chosen = std::upper_bound(unoccluded.up_to.begin(), unoccluded.up_to.end() - 1, target);
-    const Emitter& emitter = emitters[static_cast<size_t>(chosen - unoccluded.up_to.begin())];
-    const double below = chosen == unoccluded.up_to.begin() ? 0 : *(chosen - 1);
-    const double share = *chosen - below, u = std::clamp((target - below) / share, 0.0, 1.0);
-    const Vec3 on_emitter = point_on(emitter, u, at.v);
-    const double weight = stretch_at(emitter, u, at.v) * point_irradiance(emitter, on_emitter, point) / share;
-    if (!(weight > 0)) continue;
-    ++shadow->rays;
-    shadow->all += static_cast<float>(weight);
-    if (tracer.occluded(lit.instant.world_from_body, lifted, on_emitter + tracer.offset() * emitter.normal))
-      continue;
-    ++shadow->free;
-    shadow->seen += static_cast<float>(weight);
-  }
 }
 
 }  // namespace strad

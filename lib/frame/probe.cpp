@@ -108,13 +108,15 @@ Rgb Probe::solved(const Slab& slab, size_t i, double time) const {
 Rgb Probe::direct(const LitInstant& lit, const SurfacePoint& point) const {
   SpotRays spot_rays;
   Rgb sum = spots_irradiance(tracer_, lit.cones, lit.instant, point, &spot_rays);
-  UnoccludedIrradiance unoccluded;
-  for (size_t l = 0; l < groups_.size(); ++l) {
-    if (is_black(lit.radiance[l])) continue;
-    find_unoccluded(lit.emitters[l], point, &unoccluded);
+  GroupSight seen;
+  for (const LitGroup& group : lit.groups) {
+    if (is_black(group.radiance)) continue;
+    see_group(group, point, &seen);
+    const double irradiance = unoccluded_irradiance(group, point, seen);
     ShadowRays shadow;
-    add_shadow_rays(tracer_, lit, lit.emitters[l], point, unoccluded, 0, options_.shadow_rays, &shadow);
-    sum += static_cast<float>(unoccluded.total) * free_fraction(shadow) * lit.radiance[l];
+    add_shadow_rays(tracer_, lit.instant, group, point, irradiance, {0, options_.shadow_rays, 0}, &seen,
+                    &shadow);
+    sum += static_cast<float>(irradiance) * free_fraction(shadow) * group.radiance;
   }
   return sum;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/emitter_groups.h"
+#include "frame/lit_groups.h"
 #include "frame/reconstruction.h"
 #include "frame/surfaces.h"
 #include "light/tracer.h"

@@ -9,8 +9,9 @@
 namespace strad {
 namespace {
 
-constexpr uint32_t kTileSide =
-    48;  // pixels: small enough for threads to share a small frame, and large compared to its margin
+// Pixels: the first that shares out a frame well among the threads. Large ones spend less on their margins.
+constexpr uint32_t kTileSides[] = {96, 64, 48};
+constexpr size_t kTilesOfThread = 4;
 constexpr int kShutterInstants =
     64;  // poses over an open shutter: more than samples of a pixel, so that no steps show
 
@@ -24,10 +25,12 @@ std::vector<double> exposure_times(double time, double shutter) {
 
 std::vector<TileRect> tiles_of(uint32_t width, uint32_t height) {
   std::vector<TileRect> tiles;
-  for (uint32_t y = 0; y < height; y += kTileSide) {
-    for (uint32_t x = 0; x < width; x += kTileSide) {
-      tiles.push_back({x, y, std::min(x + kTileSide, width), std::min(y + kTileSide, height)});
-    }
+  for (const uint32_t side : kTileSides) {
+    tiles.clear();
+    for (uint32_t y = 0; y < height; y += side)
+      for (uint32_t x = 0; x < width; x += side)
+        tiles.push_back({x, y, std::min(x + side, width), std::min(y + side, height)});
+    if (tiles.size() >= kTilesOfThread * static_cast<size_t>(thread_count())) break;
   }
   return tiles;
 }
@@ -35,6 +38,8 @@ std::vector<TileRect> tiles_of(uint32_t width, uint32_t height) {
 void check(const RasterOptions& options) {
   if (options.samples < 1)
     throw BadInput("samples: found " + std::to_string(options.samples) + ", expected at least 1");
+  if (options.lamp_samples < 1)
+    throw BadInput("lamp samples: found " + std::to_string(options.lamp_samples) + ", expected at least 1");
   if (!(options.shutter >= 0)) throw BadInput("shutter: expected 0 or more");
 }
 
@@ -60,7 +65,15 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
   const double end =
       std::min(time + options.shutter, slab_end(slab));  // the slab has no light beyond its end
   const FrameLight light(slab, reconstruction_for(slab), time, end, {!trace_direct, options.flat});
-  FrameView view{scene_, tracer_, surfaces_, light, {}, {}, trace_direct ? groups_.size() : 0, trace_direct};
+  FrameView view{scene_,
+                 tracer_,
+                 surfaces_,
+                 light,
+                 {},
+                 {},
+                 trace_direct ? groups_.size() : 0,
+                 trace_direct,
+                 static_cast<uint32_t>(options.lamp_samples)};
   for (const double instant : exposure_times(time, options.shutter)) {
     view.instants.push_back(lit_instant(scene_, groups_, instant));
     view.cameras.emplace_back(camera_at(camera, instant), options.width, options.height);

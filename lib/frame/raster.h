@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "frame/emitter_groups.h"
 #include "frame/frame_light.h"
+#include "frame/lit_groups.h"
 #include "frame/surfaces.h"
 #include "image/image.h"
 #include "light/tracer.h"
@@ -19,8 +19,9 @@ enum class DirectFrom { kPixel, kMesh };
 
 struct RasterOptions {
   uint32_t width = 640, height = 480;  // pixels
-  int samples = 16;    // per pixel, where more than one surface shows in it; 1: its centre only
-  double shutter = 0;  // s that the shutter is open from the frame's time on, >= 0
+  int samples = 16;       // per pixel, where more than one surface shows in it; 1: its centre only
+  int lamp_samples = 32;  // shadow rays to each emitter group where it is in part hidden, >= 1
+  double shutter = 0;     // s that the shutter is open from the frame's time on, >= 0
   DirectFrom direct = DirectFrom::kPixel;
   bool flat = false;  // elements and intervals of the solution as they are
 };

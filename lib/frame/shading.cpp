@@ -48,13 +48,14 @@ Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPo
     irradiance += spots_irradiance(view.tracer, lit.cones, lit.instant, sight.point, &spot_rays);
   sample.spots = spot_rays.reached;
   sample.base += reflected(sight, irradiance);
-  thread_local UnoccludedIrradiance unoccluded;
+  thread_local GroupSight seen;
   for (size_t l = 0; l < view.group_count; ++l) {
-    if (is_black(lit.radiance[l])) continue;
-    find_unoccluded(lit.emitters[l], sight.point, &unoccluded);
-    shares[l].irradiance = unoccluded.total;
-    shares[l].radiance = static_cast<float>(unoccluded.total) * reflected(sight, lit.radiance[l]);
-    add_shadow_rays(view.tracer, lit, lit.emitters[l], sight.point, unoccluded, points.first, points.count,
+    const LitGroup& group = lit.groups[l];
+    if (is_black(group.radiance)) continue;
+    see_group(group, sight.point, &seen);
+    shares[l].irradiance = unoccluded_irradiance(group, sight.point, seen);
+    shares[l].radiance = static_cast<float>(shares[l].irradiance) * reflected(sight, group.radiance);
+    add_shadow_rays(view.tracer, lit.instant, group, sight.point, shares[l].irradiance, points, &seen,
                     &shares[l].shadow);
   }
   return sample;
@@ -63,13 +64,9 @@ Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPo
 void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t light,
                      ShadowPoints points, GroupShare* share) {
   const LitInstant& lit = view.instants[instant];
-  thread_local UnoccludedIrradiance unoccluded;
-  if (lit.emitters[light].size() == 1) {
-    unoccluded = {share->irradiance, {share->irradiance}};
-  } else {
-    find_unoccluded(lit.emitters[light], sample.point, &unoccluded);
-  }
-  add_shadow_rays(view.tracer, lit, lit.emitters[light], sample.point, unoccluded, points.first, points.count,
+  thread_local GroupSight seen;
+  see_group(lit.groups[light], sample.point, &seen);
+  add_shadow_rays(view.tracer, lit.instant, lit.groups[light], sample.point, share->irradiance, points, &seen,
                   &share->shadow);
 }
 

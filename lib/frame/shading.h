@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "frame/camera.h"
-#include "frame/emitter_groups.h"
 #include "frame/frame_light.h"
+#include "frame/lit_groups.h"
 #include "frame/surfaces.h"
 
 namespace strad {
@@ -23,12 +23,13 @@ struct FrameView {
   std::vector<LitInstant> instants;  // of the exposure, evenly spread; one where the shutter is not open
   size_t group_count = 0;            // 0 also where direct light comes from the mesh
   bool trace_direct = true;
+  uint32_t lamp_samples = 32;  // shadow rays of a corner to each emitter group in whose penumbra it lies
 };
 
 // Light of an emitter group at a sample, before its visibility is multiplied in.
 struct GroupShare {
   Rgb radiance;           // what it would add to the sample's radiance, unoccluded
-  double irradiance = 0;  // the total of its UnoccludedIrradiance
+  double irradiance = 0;  // unoccluded_irradiance of the group
   ShadowRays shadow;      // the shadow rays so far
 };
 
@@ -38,11 +39,6 @@ struct Sample {
   uint32_t leaf = kNone;  // of the mesh, where elements show
   uint64_t spots = 0;     // which of them reach the point
   Rgb base;               // radiance of all but emitter groups
-};
-
-// Points [first, first + count) of the groups' sequences.
-struct ShadowPoints {
-  uint32_t first = 0, count = 0;
 };
 
 // What is seen through (x, y), pixels, at an instant.

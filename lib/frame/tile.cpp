@@ -21,6 +21,7 @@ constexpr float kEvenContrast = 0.03f, kTextureContrast = 0.05f, kSmoothBend = 0
 constexpr uint32_t kFewSamples = 4, kMostDoublings = 3;
 constexpr float kUsualDeviation = 0.14f;
 // Shadow rays to each emitter group from a sample, where a pixel has few, the usual number, or more of them.
+constexpr uint32_t kRaysOfMiddle = 8;  // of the only sample of a pixel, at first
 constexpr uint32_t kRaysOfFew = 4, kRaysOfUsual = 2, kRaysOfMany = 1;
 
 uint64_t pixel_seed(int x, int y) { return hash_of(static_cast<uint32_t>(x), static_cast<uint32_t>(y)); }
@@ -171,7 +172,7 @@ void PixelRenderer::sample_inside(int x, int y, uint32_t count, uint32_t rays, P
         continue;
       }
     }
-    const Sample sample = shade(view_, instant, sight, {sum->shadow_points, rays}, shares_.data());
+    const Sample sample = shade(view_, instant, sight, {sum->shadow_points, rays, seed}, shares_.data());
     sum->shadow_points += rays;
     const Rgb value = radiance(view_, sample, shares_.data());
     sum->add(value);
@@ -210,8 +211,15 @@ Rgb PixelRenderer::inside(int x, int y) {
 // A single sample in the middle, for previews.
 Rgb PixelRenderer::middle(int x, int y) {
   const size_t instant = view_.instants.size() / 2;
-  const ShadowPoints points{kPenumbraRays * interleaved_set(x, y), kPenumbraRays};
-  const Sample sample = take_sample(view_, instant, x + 0.5, y + 0.5, points, shares_.data());
+  const ShadowPoints all = corner_points(x, y, view_.lamp_samples);
+  const ShadowPoints few{all.first, std::min(all.count, kRaysOfMiddle), all.scramble};
+  const ShadowPoints others{all.first + few.count, all.count - few.count, all.scramble};
+  const Sample sample = take_sample(view_, instant, x + 0.5, y + 0.5, few, shares_.data());
+  for (size_t l = 0; l < view_.group_count; ++l) {
+    const ShadowRays& shadow = shares_[l].shadow;
+    if (shadow.free > 0 && shadow.free < shadow.rays)
+      add_shadow_rays(view_, instant, sample, l, others, &shares_[l]);
+  }
   return radiance(view_, sample, shares_.data());
 }
 

@@ -14,9 +14,9 @@ namespace strad {
 // If the corners of a pixel see one smooth surface under the same lights, the pixel is the mean of the
 // samples at its corners, which it shares with its neighbours. Otherwise it is the mean of about `samples`
 // samples inside it. A corner first sends few shadow rays to each emitter group. It sends more where some
-// rays of it and its neighbours are free and some are blocked. The 4 x 4 corners around a pixel use different
-// points on the emitters, which together are spread evenly. The visible fraction is averaged over all of them
-// where it is smooth (interleaved sampling, Keller & Heidrich 2001).
+// rays of it and its neighbours are free and some are blocked. The points on the emitters differ from corner
+// to corner and together are spread evenly (corner_points). The visible fraction is averaged over the corners
+// as far around the pixel as it is smooth (smooth_fraction).
 void render_tile(const FrameView& view, int samples, TileRect rect, Image* image);
 
 }  // namespace strad

@@ -19,6 +19,15 @@ int clip_to_horizon(Vec3 point, Vec3 normal, const Vec3* corners, int count, Vec
   return kept;
 }
 
+// Angles whose cosine is no further from 1 than this have their sine by a power series.
+constexpr double kSmallVersine = 0.002;
+
+// angle / sin(angle) from x = 1 - cos(angle): f satisfies x (2 - x) f' = 1 - (1 - x) f, so the coefficients
+// are a[n] = a[n - 1] n / (2 n + 1) from a[0] = 1. Each term is less than x / 2 of the one before.
+double angle_over_sine(double x) {
+  return 1 + (1 / 3.0) * x * (1 + (2 / 5.0) * x * (1 + (3 / 7.0) * x * (1 + (4 / 9.0) * x)));
+}
+
 }  // namespace
 
 Emitter emitter_at(const Scene& scene, uint32_t p, const std::vector<Pose>& world_from_body) {
@@ -65,6 +74,16 @@ double point_irradiance(const Emitter& emitter, Vec3 on_emitter, const SurfacePo
 
 bool is_before(const Emitter& emitter, Vec3 point) {
   return dot(point - emitter.corners[0], emitter.normal) > 0;
+}
+
+double edge_irradiance(Vec3 a, Vec3 b, Vec3 normal) {
+  const Vec3 across = cross(a, b);
+  const double cosine = dot(a, b), lengths2 = length2(a) * length2(b);
+  if (!(lengths2 > 0)) return 0;
+  const double scale = 1 / std::sqrt(lengths2), versine = 1 - cosine * scale;
+  if (versine < kSmallVersine) return angle_over_sine(versine) * dot(across, normal) * scale;
+  const double sine = length(across);
+  return sine * scale > 1e-12 ? std::atan2(sine, cosine) * dot(across, normal) / sine : 0;
 }
 
 double unit_irradiance(Vec3 point, Vec3 normal, const Vec3* corners, int count) {

@@ -35,6 +35,11 @@ double point_irradiance(const Emitter& emitter, Vec3 on_emitter, const SurfacePo
 // Does the point lie on the side to which the emitter emits?
 bool is_before(const Emitter& emitter, Vec3 point);
 
+// What the edge from a to b, relative to the point, adds to twice the irradiance of unit radiance from what
+// it bounds: its angle times the cosine between `normal` and that of the plane through edge and point (Baum
+// et al. 1989, eq. 9). Positive where it runs against the clock about `normal`.
+double edge_irradiance(Vec3 a, Vec3 b, Vec3 normal);
+
 // Irradiance at `point` with `normal` from the convex planar `corners` (count of them, any winding) of unit
 // radiance, unoccluded and clipped to the horizon, in [0, pi]: Lambert's formula (Baum et al. 1989, eq. 9).
 double unit_irradiance(Vec3 point, Vec3 normal, const Vec3* corners, int count);
