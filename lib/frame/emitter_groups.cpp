@@ -1,16 +1,20 @@
 #include "frame/emitter_groups.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <tuple>
 
 #include "base/disjoint_sets.h"
+#include "scene/polygon_geometry.h"
 
 namespace strad {
 namespace {
 
-using Key = std::tuple<uint32_t, uint32_t, double, double, double>;
+// Material, body, and where an edge begins and ends.
+using EdgePlaces = std::tuple<uint32_t, uint32_t, std::array<double, 6>>;
+constexpr double kCosSharp = 0.5;  // of the angle between normals across an edge
 
 std::vector<uint32_t> emitting_polygons(const Scene& scene) {
   std::vector<uint32_t> emitting;
@@ -19,18 +23,40 @@ std::vector<uint32_t> emitting_polygons(const Scene& scene) {
   return emitting;
 }
 
+EdgePlaces places_of(const Scene& scene, const Polygon& polygon, int corner) {
+  const Vec3 a = scene.vertices[polygon.corners[corner]],
+             b = scene.vertices[polygon.corners[(corner + 1) % polygon.corner_count()]];
+  const std::array<double, 6> there{a.x, a.y, a.z, b.x, b.y, b.z}, back{b.x, b.y, b.z, a.x, a.y, a.z};
+  return {polygon.material, body_of(scene, polygon), std::min(there, back)};
+}
+
+Vec3 centre_of(const Scene& scene, const Polygon& polygon) {
+  Vec3 centre;
+  for (int c = 0; c < polygon.corner_count(); ++c)
+    centre += scene.vertices[polygon.corners[c]] / polygon.corner_count();
+  return centre;
+}
+
+// Do two polygons with a common edge face each other, as walls of a room do? Then they are lights apart:
+// close to one of them its part is found exactly, and rays to both together would say less of either.
+bool face_each_other(const Scene& scene, const Polygon& a, const Polygon& b) {
+  const Vec3 normal = polygon_normal(scene, a);
+  return dot(normal, polygon_normal(scene, b)) < kCosSharp &&
+         dot(normal, centre_of(scene, b) - centre_of(scene, a)) > 0;
+}
+
 // Which of the emitting polygons belong together.
 DisjointSets connected(const Scene& scene, const std::vector<uint32_t>& emitting) {
   DisjointSets sets(emitting.size());
   std::map<std::pair<uint32_t, uint32_t>, uint32_t> first_of_object;
-  std::map<Key, uint32_t> first_at_place;
+  std::map<EdgePlaces, uint32_t> first_at_edge;
   for (uint32_t i = 0; i < emitting.size(); ++i) {
     const Polygon& polygon = scene.polygons[emitting[i]];
     sets.join(i, first_of_object.try_emplace({polygon.object, polygon.material}, i).first->second);
     for (int c = 0; c < polygon.corner_count(); ++c) {
-      const Vec3 at = scene.vertices[polygon.corners[c]];
-      const Key key{polygon.material, body_of(scene, polygon), at.x, at.y, at.z};
-      sets.join(i, first_at_place.try_emplace(key, i).first->second);
+      const uint32_t first = first_at_edge.try_emplace(places_of(scene, polygon, c), i).first->second;
+      if (first != i && !face_each_other(scene, scene.polygons[emitting[first]], polygon))
+        sets.join(i, first);
     }
   }
   return sets;
@@ -102,10 +128,7 @@ std::vector<EmitterGroup> emitter_groups(const Scene& scene) {
   std::map<uint32_t, std::vector<Facet>> members;
   for (uint32_t i = 0; i < emitting.size(); ++i) {
     const Polygon& polygon = scene.polygons[emitting[i]];
-    Vec3 centre;
-    for (int c = 0; c < polygon.corner_count(); ++c)
-      centre += scene.vertices[polygon.corners[c]] / polygon.corner_count();
-    members[sets.find(i)].push_back({emitting[i], centre});
+    members[sets.find(i)].push_back({emitting[i], centre_of(scene, polygon)});
   }
   std::vector<EmitterGroup> groups;
   for (auto& [first, facets] : members) {

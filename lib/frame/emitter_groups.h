@@ -12,8 +12,8 @@
 
 namespace strad {
 
-// Emitting polygons of one material and body that belong to one object or touch: one area light, lit and
-// shadowed as such however many facets it has.
+// Emitting polygons of one material and body that belong to one object, or that have an edge in common and do
+// not face each other across it: one area light, lit and shadowed as such however many facets it has.
 struct EmitterGroup : FacetMesh {
   uint32_t material = 0, body = 0;
   std::vector<uint32_t> polygons;  // the facets, in the order of a k-d tree: near ones follow each other

@@ -49,8 +49,17 @@ double height_above(const LitGroup& group, size_t facet, const GroupSight& sight
   return sum / count;
 }
 
-// About what each facet gives: from its middle, with its mean height above the horizon, so that none is left
-// out of which some is seen, and never more than a disc of its area would.
+// Square of the distance from its centre within which a facet is weighed exactly: 4 of its radii.
+double near_distance2(const Emitter& facet) {
+  double radius2 = 0;
+  for (int c = 0; c < facet.count; ++c)
+    radius2 = std::max(radius2, length2(facet.corners[static_cast<size_t>(c)] - facet.centre));
+  return 16 * radius2;
+}
+
+// About what each facet gives. From afar: from its middle, with its mean height above the horizon, so that
+// none is left out of which some is seen, and never more than a disc of its area would. A facet close by may
+// give much more than that, and too few rays would go to it: it is weighed exactly.
 void weigh_facets(const LitGroup& group, const SurfacePoint& point, GroupSight* sight) {
   const size_t count = group.facets.size();
   sight->up_to.resize(count);
@@ -67,7 +76,13 @@ void weigh_facets(const LitGroup& group, const SurfacePoint& point, GroupSight* 
   }
   double total = 0;
   for (size_t f = 0; f < count; ++f) {
-    if (sight->sets && weight[f] > 0) weight[f] *= height_above(group, f, *sight);
+    if (distance[f] > 0) {
+      const Emitter& facet = group.facets[f];
+      if (length2(facet.centre - p) < group.near2[f])
+        weight[f] = unit_irradiance(p, n, facet.corners.data(), facet.count);
+      else if (sight->sets)
+        weight[f] *= height_above(group, f, *sight);
+    }
     weight[f] = total += weight[f];
   }
 }
@@ -157,6 +172,7 @@ LitInstant lit_instant(const Scene& scene, const std::vector<EmitterGroup>& grou
       at_time.normals.add(facet.normal);
       at_time.levels.push_back(dot(facet.normal, facet.corners[0]));
       at_time.areas.push_back(facet.area);
+      at_time.near2.push_back(near_distance2(facet));
     }
     for (const Vec3 rest : group.vertices)
       at_time.vertices.add(lit.instant.world_from_body[group.body] * rest);

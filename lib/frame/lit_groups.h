@@ -29,6 +29,7 @@ struct LitGroup {
   // Per facet: its plane is normal . p = level.
   Vec3Columns centres, normals;
   std::vector<double> levels, areas;
+  std::vector<double> near2;  // m^2: squared distance from its centre within which it is unlike a point
 };
 
 // The lights of an instant, prepared for shadow rays.
