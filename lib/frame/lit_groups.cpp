@@ -6,6 +6,7 @@
 
 #include "base/rng.h"
 #include "frame/sobol.h"
+#include "frame/spherical_triangle.h"
 
 namespace strad {
 namespace {
@@ -57,6 +58,10 @@ double near_distance2(const Emitter& facet) {
   return 16 * radius2;
 }
 
+bool is_near(const LitGroup& group, size_t facet, Vec3 point) {
+  return length2(group.facets[facet].centre - point) < group.near2[facet];
+}
+
 // About what each facet gives. From afar: from its middle, with its mean height above the horizon, so that
 // none is left out of which some is seen, and never more than a disc of its area would. A facet close by may
 // give much more than that, and too few rays would go to it: it is weighed exactly.
@@ -78,7 +83,7 @@ void weigh_facets(const LitGroup& group, const SurfacePoint& point, GroupSight* 
   for (size_t f = 0; f < count; ++f) {
     if (distance[f] > 0) {
       const Emitter& facet = group.facets[f];
-      if (length2(facet.centre - p) < group.near2[f])
+      if (is_near(group, f, p))
         weight[f] = unit_irradiance(p, n, facet.corners.data(), facet.count);
       else if (sight->sets)
         weight[f] *= height_above(group, f, *sight);
@@ -87,20 +92,50 @@ void weigh_facets(const LitGroup& group, const SurfacePoint& point, GroupSight* 
   }
 }
 
-// A point of a facet that stands for an area, relative to that of the facet.
+// A point of a facet, and the irradiance of all of the facet if all of it were like that point.
 struct FacetPoint {
   Vec3 position;
-  double area;
+  double irradiance;
 };
 
+// Maps the unit square onto a convex part of a facet, evenly in solid angle about the point. Evenly in area,
+// most points on a large facet close by would be far away and give little.
+FacetPoint point_by_angle(const Emitter& facet, const Vec3* part, int count, const SurfacePoint& point,
+                          Point2 at) {
+  Vec3 towards[5];
+  for (int c = 0; c < count; ++c) towards[c] = normalized(part[c] - point.position);
+  double up_to[5] = {0, 0, 0, 0, 0};
+  for (int t = 2; t < count; ++t)
+    up_to[t] = up_to[t - 1] + solid_angle(towards[0], towards[t - 1], towards[t]);
+  if (count < 3 || !(up_to[count - 1] > 0)) return {facet.centre, 0};
+  const double target = at.u * up_to[count - 1];
+  int t = 2;
+  while (t + 1 < count && target >= up_to[t]) ++t;
+  const double share = up_to[t] - up_to[t - 1];
+  if (!(share > 0)) return {facet.centre, 0};
+  const Vec3 direction =
+      direction_in(towards[0], towards[t - 1], towards[t], share, (target - up_to[t - 1]) / share, at.v);
+  const double along = dot(facet.normal, direction);
+  if (!(along < 0)) return {facet.centre, 0};
+  const double distance = dot(facet.normal, facet.corners[0] - point.position) / along;
+  return {point.position + distance * direction,
+          std::max(0.0, dot(direction, point.normal)) * up_to[count - 1]};
+}
+
 // Maps the unit square onto the part of the facet above the horizon.
-FacetPoint facet_point(const LitGroup& group, size_t f, const GroupSight& sight, Point2 at) {
+FacetPoint facet_point(const LitGroup& group, size_t f, const GroupSight& sight, const SurfacePoint& point,
+                       Point2 at) {
   const Emitter& facet = group.facets[f];
   const auto& corners = group.group->corners[f];
   const auto height = [&](int c) { return sight.height[corners[static_cast<size_t>(c % facet.count)]]; };
   bool cut = false;
   for (int c = 0; sight.sets && c < facet.count; ++c) cut |= !(height(c) > 0);
-  if (!cut) return {point_on(facet, at.u, at.v), stretch_at(facet, at.u, at.v)};
+  const bool by_angle = !sight.view && is_near(group, f, point.position);
+  if (!cut && by_angle) return point_by_angle(facet, facet.corners.data(), facet.count, point, at);
+  if (!cut) {
+    const Vec3 position = point_on(facet, at.u, at.v);
+    return {position, stretch_at(facet, at.u, at.v) * point_irradiance(facet, position, point)};
+  }
   Vec3 kept[5];
   int count = 0;
   for (int c = 0; c < facet.count; ++c) {
@@ -109,6 +144,7 @@ FacetPoint facet_point(const LitGroup& group, size_t f, const GroupSight& sight,
     if (height(c) > 0) kept[count++] = a;
     if ((height(c) > 0) != (height(c + 1) > 0)) kept[count++] = on_horizon(a, b, height(c), height(c + 1));
   }
+  if (by_angle) return point_by_angle(facet, kept, count, point, at);
   double up_to[5] = {0, 0, 0, 0, 0};
   for (int t = 2; t < count; ++t)
     up_to[t] = up_to[t - 1] + length(cross(kept[t - 1] - kept[0], kept[t] - kept[0])) / 2;
@@ -120,7 +156,7 @@ FacetPoint facet_point(const LitGroup& group, size_t f, const GroupSight& sight,
   const double root = std::sqrt(share > 0 ? std::clamp((target - up_to[t - 1]) / share, 0.0, 1.0) : 0);
   const Vec3 position =
       (1 - root) * kept[0] + root * (1 - at.v) * kept[t - 1] + root * at.v * kept[t];  // Turk 1990
-  return {position, up_to[count - 1] / facet.area};
+  return {position, up_to[count - 1] / facet.area * point_irradiance(facet, position, point)};
 }
 
 bool see_from_afar(const LitGroup& group, const SurfacePoint& point, GroupSight* sight) {
@@ -238,10 +274,9 @@ void add_shadow_rays(const Tracer& tracer, const Instant& instant, const LitGrou
     const Emitter& facet = group.facets[f];
     const double below = chosen == up_to.begin() ? 0 : *(chosen - 1);
     const double share = *chosen - below, u = std::clamp((target - below) / share, 0.0, 1.0);
-    const FacetPoint target_point = facet_point(group, f, *sight, {u, at.v});
+    const FacetPoint target_point = facet_point(group, f, *sight, point, {u, at.v});
     const Vec3 on_facet = target_point.position;
-    const double weight =
-        target_point.area * point_irradiance(facet, on_facet, point) * up_to.back() / (share * irradiance);
+    const double weight = target_point.irradiance * up_to.back() / (share * irradiance);
     if (!(weight > 0)) continue;
     ++shadow->rays;
     shadow->all += static_cast<float>(weight);
