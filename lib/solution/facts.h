@@ -31,8 +31,14 @@ struct ChunkFacts {
 // Reads the whole stream, as read_stream does, and what its chunks are.
 Stream read_with_chunks(StreamReader& reader, std::vector<ChunkFacts>* chunks);
 
-// Everything about scene and solution; with `list_chunks` each chunk with its offset.
-Fact describe(const Stream& stream, const std::vector<ChunkFacts>& chunks, bool list_chunks);
+// What is told only where it is asked for, since it may be long.
+struct FactChoice {
+  bool chunks = false;   // each chunk with its offset
+  bool objects = false;  // each object, and what materials and bodies have of the surfaces
+};
+
+// Everything about scene and solution.
+Fact describe(const Stream& stream, const std::vector<ChunkFacts>& chunks, const FactChoice& choice = {});
 
 std::string to_json(const Fact& fact);
 // One value a line, groups indented.

@@ -1,0 +1,30 @@
+// Numbers, texts, points, colours and lists as facts.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/rgb.h"
+#include "base/vec.h"
+#include "solution/facts.h"
+
+namespace strad {
+
+inline Fact number_fact(double value) { return {value}; }
+inline Fact number_fact(size_t value) { return {static_cast<double>(value)}; }
+// What is stored as a float is told as shortly as a float can be.
+Fact number_fact(float value);
+inline Fact text_fact(std::string value) { return {std::move(value)}; }
+Fact point_fact(Vec3 p);
+Fact colour_fact(Rgb c);
+Fact box_fact(const Box& box);  // "empty", or its lower and upper corner
+
+template <typename Item, typename Describe>
+Fact list_of(const std::vector<Item>& items, Describe describe) {
+  FactList list;
+  for (const Item& item : items) list.push_back(describe(item));
+  return {std::move(list)};
+}
+
+}  // namespace strad
