@@ -57,16 +57,6 @@ std::string word(const std::string& name) {
   return '"' + name + '"';
 }
 
-// The pattern that means this name alone.
-std::string pattern_of(const std::string& name) {
-  std::string pattern;
-  for (const char c : name) {
-    if (c == '*' || c == '?' || c == '[' || c == '\\') pattern += '\\';
-    pattern += c;
-  }
-  return pattern;
-}
-
 bool is_plain_zero(Vec3 v) {
   return v == Vec3{} && !std::signbit(v.x) && !std::signbit(v.y) && !std::signbit(v.z);
 }
@@ -142,6 +132,15 @@ void print_camera(const Camera& camera, std::string* text) {
 }
 
 }  // namespace
+
+std::string pattern_of(const std::string& name) {
+  std::string pattern;
+  for (const char c : name) {
+    if (c == '*' || c == '?' || c == '[' || c == '\\') pattern += '\\';
+    pattern += c;
+  }
+  return pattern;
+}
 
 std::string print_motion(const Scene& scene) {
   std::string text =

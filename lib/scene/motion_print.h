@@ -11,4 +11,7 @@ namespace strad {
 // Throws BadInput if a name cannot be written in one, because it has quotes or ends of lines in it.
 std::string print_motion(const Scene& scene);
 
+// The pattern of `parts` that means the object of this name alone.
+std::string pattern_of(const std::string& name);
+
 }  // namespace strad

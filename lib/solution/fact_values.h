@@ -1,15 +1,27 @@
-// Numbers, texts, points, colours and lists as facts.
+// Named values: numbers, texts, points, colours, lists and groups of them.
 #pragma once
 
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "base/rgb.h"
 #include "base/vec.h"
-#include "solution/facts.h"
 
 namespace strad {
+
+struct Fact;
+struct NamedFact;
+using FactList = std::vector<Fact>;
+using FactGroup = std::vector<NamedFact>;
+struct Fact {
+  std::variant<double, std::string, FactList, FactGroup> value;
+};
+struct NamedFact {
+  std::string name;
+  Fact fact;
+};
 
 inline Fact number_fact(double value) { return {value}; }
 inline Fact number_fact(size_t value) { return {static_cast<double>(value)}; }

@@ -2,24 +2,12 @@
 #pragma once
 
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "solution/fact_values.h"
 #include "solution/stream_io.h"
 
 namespace strad {
-
-struct Fact;
-struct NamedFact;
-using FactList = std::vector<Fact>;
-using FactGroup = std::vector<NamedFact>;
-struct Fact {
-  std::variant<double, std::string, FactList, FactGroup> value;
-};
-struct NamedFact {
-  std::string name;
-  Fact fact;
-};
 
 // A chunk as it stands in the stream.
 struct ChunkFacts {

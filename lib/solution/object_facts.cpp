@@ -3,7 +3,6 @@
 #include <set>
 
 #include "scene/polygon_geometry.h"
-#include "solution/fact_values.h"
 
 namespace strad {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scene/scene.h"
-#include "solution/facts.h"
+#include "solution/fact_values.h"
 
 namespace strad {
 
