@@ -45,7 +45,8 @@ ImportTool parse_options(int argc, char** argv) {
   options.output();
   options.choice("--from", {"obj", "pov", "ini"}, &tool.from,
                  "format of SCENE (default: by its extension, else obj)");
-  options.text("-f,--frames", "A:B", &tool.frames, "frames of a POV-Ray animation, or N for 1:N");
+  options.text("-f,--frames", "A:B", &tool.frames,
+               "frames of a POV-Ray animation, or N for 1:N; or a list of numbers of OBJ files");
   options.text("--clock", "A:B", &tool.clock,
                "clock of a POV-Ray animation in its first and last frame, or A of a still");
   options.text("--rate", "R", &rate, "frames per second of an animation, as 25 or 24000/1001 (default 25)");
@@ -103,11 +104,11 @@ void set_frames(const ImportTool& tool, PovAnimation* animation) {
 Scene read_scene(const ImportTool& tool, ImportReport* report) {
   const std::string format = format_of(tool);
   if (format == "obj") {
-    for (const auto& [name, given] : {std::pair{"--frames", !tool.frames.empty()},
-                                      {"--clock", !tool.clock.empty()},
-                                      {"--rate", tool.rate.has_value()}})
-      if (given) throw BadInput(std::string(name) + ": for POV-Ray animations");
-    return import_obj(tool.path, tool.import, report);
+    if (!tool.clock.empty()) throw BadInput("--clock: for POV-Ray animations");
+    if (tool.frames.empty() && tool.rate) throw BadInput("--rate: for animations, expected --frames, too");
+    if (tool.frames.empty()) return import_obj(tool.path, tool.import, report);
+    return import_obj_frames({tool.path, parse_number_list("--frames", tool.frames), tool.rate.value_or(25)},
+                             tool.import, report, progress_on_stderr(tool.common));
   }
   PovIni ini;
   ini.scene = tool.path;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "import/poses/few_keys.h"
+#include "import/poses/few_scene_keys.h"
 #include "import/poses/pivot.h"
 #include "scene/body_pose.h"
 
@@ -235,6 +236,20 @@ std::vector<BodyKey> KeyBuilder::smooth_keys() {
 
 Body body_with_keys(std::span<const Pose> poses, std::span<const double> times, const Moved& moved) {
   return KeyBuilder(poses, times, moved).build();
+}
+
+// They moved alike to within kAlike of their sizes, a tenth of what the keys may differ.
+Body body_of_group(const PoseFollower& follower, size_t group, std::span<const double> times) {
+  const PoseFollower::Group& moved = follower.groups()[group];
+  Moved what;
+  double smallest = 0;
+  for (const uint32_t piece : moved.pieces) {
+    for (const Vec3 p : follower.rest_of(piece)) what.bounds.add(p);
+    const double size = follower.size_of(piece);
+    if (size > 0 && (smallest == 0 || size < smallest)) smallest = size;
+  }
+  what.tolerance = (kKeyTolerance - kAlike) * smallest + 4 * follower.precision();
+  return body_with_keys(moved.poses, times, what);
 }
 
 }  // namespace strad

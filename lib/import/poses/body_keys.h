@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "import/poses/follow.h"
 #include "scene/scene.h"
 
 namespace strad {
@@ -20,5 +21,10 @@ struct Moved {
 // keys. A motion that is already under way at the first or the last frame has, with smooth easing, a key
 // before or after it. REQUIRES: as many times, ascending, as poses; at least one.
 Body body_with_keys(std::span<const Pose> poses, std::span<const double> times, const Moved& moved);
+
+// The same for what a follower has found of the pieces of a group. Each is told to within kKeyTolerance of
+// its own size, or what the precision of the file leaves open. REQUIRES: not the first group, which never
+// moved.
+Body body_of_group(const PoseFollower& follower, size_t group, std::span<const double> times);
 
 }  // namespace strad

@@ -38,6 +38,8 @@ class PoseFollower {
   size_t frame_count() const { return frames_; }
   // Of a piece: the diagonal of its bounds.
   double size_of(uint32_t piece) const { return sizes_[piece]; }
+  std::span<const Vec3> rest_of(uint32_t piece) const { return rest_[piece]; }
+  double precision() const { return precision_; }
 
  private:
   double tolerance(uint32_t piece, uint32_t fitted) const;

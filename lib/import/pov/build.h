@@ -62,7 +62,6 @@ class PovBuilder {
     std::vector<GlowKey> keys;  // none: constant
   };
   uint32_t body_of_piece(uint32_t piece);
-  Body body_of_group(uint32_t group) const;
   uint32_t carrier_of(const Light& light) const;
   std::vector<SpotKey> spot_keys(const Light& light, uint32_t body) const;
   CameraKey camera_key(const PovCamera& camera, double time) const;

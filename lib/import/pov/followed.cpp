@@ -107,12 +107,6 @@ PovFollowed::PovFollowed(const PovFrame& first, bool mirror, const ImportOptions
   follower_ = std::make_unique<PoseFollower>(pieces_);
 }
 
-Box PovFollowed::bounds_of(uint32_t piece) const {
-  Box box;
-  for (const Vec3 p : pieces_[piece]) box.add(p);
-  return box;
-}
-
 const std::vector<PovLight>& PovFollowed::light_history(size_t placed, size_t light) const {
   static const std::vector<PovLight> kNone;
   const auto found = lights_.find({placed, light});

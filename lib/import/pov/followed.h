@@ -41,8 +41,7 @@ class PovFollowed {
     return first_shape_[placed] + static_cast<uint32_t>(shape);
   }
   uint32_t piece_of_panel(size_t placed, size_t light) const { return panels_.at({placed, light}); }
-  Box bounds_of(uint32_t piece) const;
-  double size_of(uint32_t piece) const { return follower_->size_of(piece); }
+  const PoseFollower& follower() const { return *follower_; }
 
   // What changes; one item a frame, or none for what never changes.
   const std::vector<PovLight>& light_history(size_t placed, size_t light) const;

@@ -35,26 +35,12 @@ PovBuilder::PovBuilder(const ImportOptions& options, ImportReport* report, bool 
     }
 }
 
-// Keys tell each of the pieces to within a part of its own size; they moved alike to within a tenth of that.
-Body PovBuilder::body_of_group(uint32_t group) const {
-  const PoseFollower::Group& moved = followed_->groups()[group];
-  Moved what;
-  double smallest = 0;
-  for (const uint32_t piece : moved.pieces) {
-    what.bounds.add(followed_->bounds_of(piece));
-    const double size = followed_->size_of(piece);
-    if (size > 0 && (smallest == 0 || size < smallest)) smallest = size;
-  }
-  what.tolerance = 0.9 * kKeyTolerance * smallest;
-  return body_with_keys(moved.poses, times_, what);
-}
-
 uint32_t PovBuilder::body_of_piece(uint32_t piece) {
   const uint32_t group = group_of_piece_[piece];
   uint32_t& body = body_of_group_[group];
   if (body != kNone) return body;
   body = static_cast<uint32_t>(scene_.bodies.size());
-  scene_.bodies.push_back(body_of_group(group));
+  scene_.bodies.push_back(body_of_group(followed_->follower(), group, times_));
   return body;
 }
 
