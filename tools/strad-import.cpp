@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/number_list.h"
+#include "import/gltf/gltf.h"
 #include "import/import.h"
 #include "import/obj/obj.h"
 #include "import/pov/ini.h"
@@ -23,6 +24,7 @@ struct ImportTool {
   std::string path = "-", from, up = "y", provenance;
   std::string frames, clock;
   std::optional<double> rate;
+  GltfOptions gltf;
 };
 
 MaterialLight parse_light(const std::string& text) {
@@ -39,17 +41,20 @@ ImportTool parse_options(int argc, char** argv) {
   ImportTool tool;
   std::vector<std::string> lights;
   std::string rate;
-  Options options("strad-import", "Turns an OBJ or POV-Ray scene or animation into a scene stream.",
+  Options options("strad-import", "Turns an OBJ, POV-Ray or glTF scene or animation into a scene stream.",
                   &tool.common);
   options.file("SCENE", &tool.path, "scene file; standard input when absent or -");
   options.output();
-  options.choice("--from", {"obj", "pov", "ini"}, &tool.from,
+  options.choice("--from", {"obj", "pov", "ini", "gltf"}, &tool.from,
                  "format of SCENE (default: by its extension, else obj)");
   options.text("-f,--frames", "A:B", &tool.frames,
                "frames of a POV-Ray animation, or N for 1:N; or a list of numbers of OBJ files");
   options.text("--clock", "A:B", &tool.clock,
                "clock of a POV-Ray animation in its first and last frame, or A of a still");
   options.text("--rate", "R", &rate, "frames per second of an animation, as 25 or 24000/1001 (default 25)");
+  options.text("--animation", "NAME", &tool.gltf.animation, "the animation of a glTF file (default: all)");
+  options.number("--lumens-per-watt", "L", &tool.gltf.lumens_per_watt,
+                 "what intensities of glTF lights, in candela, are divided by (default 683)");
   options.texts("--light", "NAME=R,G,B", &lights,
                 "let materials named NAME, a shell pattern, emit this radiance");
   options.number("--scale", "S", &tool.import.scale, "metres in a unit of SCENE (default 1)");
@@ -65,16 +70,19 @@ ImportTool parse_options(int argc, char** argv) {
   if (tool.import.tessellate < 3 || tool.import.tessellate > kMaxSides)
     throw BadInput("--tessellate: expected 3 to " + std::to_string(kMaxSides) + " sides");
   if (!rate.empty()) tool.rate = parse_ratio(rate, "--rate");
+  tool.gltf.rate = tool.rate.value_or(tool.gltf.rate);
+  if (!(tool.gltf.lumens_per_watt > 0)) throw BadInput("--lumens-per-watt: expected a number above 0");
   if (tool.rate && !(*tool.rate > 0)) throw BadInput("--rate: expected frames per second, above 0");
   tool.import.up = tool.up[0];
   tool.provenance = options.provenance();
   return tool;
 }
 
-// The format of SCENE: obj, pov or ini.
+// The format of SCENE: obj, pov, ini or gltf.
 std::string format_of(const ImportTool& tool) {
   if (!tool.from.empty()) return tool.from;
   if (tool.path.ends_with(".ini")) return "ini";
+  if (tool.path.ends_with(".gltf") || tool.path.ends_with(".glb")) return "gltf";
   return tool.path.ends_with(".pov") || tool.path.ends_with(".inc") ? "pov" : "obj";
 }
 
@@ -103,6 +111,11 @@ void set_frames(const ImportTool& tool, PovAnimation* animation) {
 
 Scene read_scene(const ImportTool& tool, ImportReport* report) {
   const std::string format = format_of(tool);
+  if (format == "gltf") {
+    if (!tool.frames.empty() || !tool.clock.empty())
+      throw BadInput("--frames and --clock: for POV-Ray animations; glTF has times of its own");
+    return import_gltf(tool.path, tool.import, tool.gltf, report);
+  }
   if (format == "obj") {
     if (!tool.clock.empty()) throw BadInput("--clock: for POV-Ray animations");
     if (tool.frames.empty() && tool.rate) throw BadInput("--rate: for animations, expected --frames, too");

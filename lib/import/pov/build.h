@@ -10,7 +10,7 @@
 #include "import/import.h"
 #include "import/pov/followed.h"
 #include "import/pov/scene_values.h"
-#include "import/pov/unique_names.h"
+#include "import/unique_names.h"
 
 namespace strad {
 

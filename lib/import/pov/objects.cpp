@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "import/pov/scene_reader.h"
 #include "import/pov/shapes.h"
-#include "import/pov/unique_names.h"
+#include "import/unique_names.h"
 
 namespace strad {
 namespace {
