@@ -41,7 +41,7 @@ grep -q 'lower 2 10 -1.5, upper 3 11 -0.5' info
 
 # Cyclic: the clock would be 4 in the frame after the last; 2 / 5 a frame.
 { sed '/large/,$d' s.ini; echo 'Cyclic_Animation=On'; } >cyclic.ini
-print cyclic.ini | grep -qx '  key 0.16  move 1.6 4 0'
+print cyclic.ini | grep -x '  key 0.16  move 1.6 4 0' >/dev/null
 # A part of the frames begins at 0 s: 11 to 13, by numbers or by parts of the whole, and by switches.
 { sed '/large/,$d' s.ini; printf 'Subset_Start_Frame=11\nSubset_End_Frame=13\n'; } >subset.ini
 print subset.ini >subset
@@ -52,6 +52,6 @@ print subset.ini | cmp - subset
 printf '+Is.pov +Lparts +KFI10 +KFF14 +KI2 +KF4 +SF11 +EF13 +W300 +H100 -D\nDeclare=Up=7\nDeclare=Look=look\n' >switches.ini
 print switches.ini | cmp - subset
 # Options win over the file; without one they are enough.
-print --rate 24000/1001 s.ini | grep -qx 'rate 24000/1001'
+print --rate 24000/1001 s.ini | grep -x 'rate 24000/1001' >/dev/null
 sed -i 's/Up/7/; s/#include.*/#default { pigment { rgb 0.5 } }/' s.pov
 print --frames 10:14 --clock 2:4 s.pov | cmp - motion
