@@ -104,6 +104,7 @@ void set_frames(const ImportTool& tool, PovAnimation* animation) {
     if (ends.size() > 2 || (ends.size() == 2) != animation->moves)
       fail_option("--clock", tool.clock, animation->moves ? "A:B" : "A, or A:B with --frames");
     animation->run.clock = animation->initial_clock = ends.front();
+    animation->run.clock_on = true;
     animation->final_clock = ends.back();
   }
   if (tool.rate) animation->rate = *tool.rate;

@@ -42,12 +42,13 @@ grep -q 'lower 2 10 -1.5, upper 3 11 -0.5' info
 # Cyclic: the clock would be 4 in the frame after the last; 2 / 5 a frame.
 { sed '/large/,$d' s.ini; echo 'Cyclic_Animation=On'; } >cyclic.ini
 print cyclic.ini | grep -x '  key 0.16  move 1.6 4 0' >/dev/null
-# A part of the frames begins at 0 s: 11 to 13, by numbers or by parts of the whole, and by switches.
+# A part of the frames begins at 0 s: 11 to 13, by numbers or by parts of the final frame (0.8 * 14 and 0.95 * 14, rounded
+# down, as POV-Ray 3.7 does), and by switches.
 { sed '/large/,$d' s.ini; printf 'Subset_Start_Frame=11\nSubset_End_Frame=13\n'; } >subset.ini
 print subset.ini >subset
 grep -qx 'time 0 0.12' subset
 grep -qx '  key 0.08  move 1 2 0' subset
-{ sed '/large/,$d' s.ini; printf 'Subset_Start_Frame=0.25\nSubset_End_Frame=0.75\n'; } >subset.ini
+{ sed '/large/,$d' s.ini; printf 'Subset_Start_Frame=0.8\nSubset_End_Frame=0.95\n'; } >subset.ini
 print subset.ini | cmp - subset
 printf '+Is.pov +Lparts +KFI10 +KFF14 +KI2 +KF4 +SF11 +EF13 +W300 +H100 -D\nDeclare=Up=7\nDeclare=Look=look\n' >switches.ini
 print switches.ini | cmp - subset

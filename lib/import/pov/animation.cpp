@@ -13,7 +13,7 @@ PovRun run_of(const PovAnimation& animation, int frame) {
                         : animation.initial_clock;
   run.frame_number = frame;
   run.initial_frame = animation.initial_frame;
-  run.final_frame = animation.final_frame;
+  run.final_frame = animation.initial_frame + steps;  // of a cyclic one, the frame after the last
   run.initial_clock = animation.initial_clock;
   run.final_clock = animation.final_clock;
   return run;

@@ -177,11 +177,12 @@ bool IniReader::truth(std::string_view name, std::string_view value) const {
   return false;
 }
 
-// A frame, or below 1 a part of all frames, as POV-Ray takes Subset_Start_Frame.
+// A frame, or below 1 a part of the final frame, rounded down but not before the initial one, as POV-Ray 3.7
+// takes it.
 int IniReader::frame_or_part(std::string_view text) const {
   const PovAnimation& a = ini_.animation;
   const double value = number("a subset's frame", text);
-  const double frame = value < 1 ? a.initial_frame + value * (a.final_frame - a.initial_frame) : value;
+  const double frame = value < 1 ? std::max(std::floor(value * a.final_frame), 1.0 * a.initial_frame) : value;
   if (!(frame >= a.initial_frame && frame <= a.final_frame))
     fail("the subset has frame " + std::string(text) + ", expected " + std::to_string(a.initial_frame) +
          " to " + std::to_string(a.final_frame));
@@ -274,6 +275,7 @@ void IniReader::finish() {
   PovAnimation& a = ini_.animation;
   if (ini_.scene.empty()) fail_at(file_, line_, "found no Input_File_Name, expected the scene's");
   a.run.clock = clock_.value_or(0);
+  a.run.clock_on = clock_.has_value();
   if (a.moves && a.final_frame < a.initial_frame)
     fail("Final_Frame is " + std::to_string(a.final_frame) + ", before Initial_Frame " +
          std::to_string(a.initial_frame));

@@ -12,11 +12,11 @@
 
 namespace strad {
 
-// The constants of one run of a file. The defaults are those of a still.
+// The constants of one run of a file. The defaults are those of a still, as POV-Ray 3.7 has them.
 struct PovRun {
   double clock = 0, clock_delta = 0, initial_clock = 0, final_clock = 0;
   bool clock_on = false;
-  int frame_number = 1, initial_frame = 1, final_frame = 1;
+  int frame_number = 0, initial_frame = 0, final_frame = 0;
   int image_width = 640, image_height = 480;
   std::vector<std::pair<std::string, std::variant<double, std::string>>> declared;
   std::vector<std::string> library_path;  // folders of included files
