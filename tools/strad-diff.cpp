@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "base/number_list.h"
 #include "frame/compare_frames.h"
 #include "frame/frame_request.h"
-#include "frame/frames_on_disk.h"
 #include "frame/solution_diff.h"
 #include "stream/chunk.h"
 #include "tool.h"
@@ -133,7 +133,7 @@ int print_jump(const DiffOptions& o) {
 int diff(DiffOptions o) {
   if (o.jump) return print_jump(o);
   if (o.files.b.empty()) throw BadInput("found one name, expected two to compare");
-  if (!o.frames.empty()) o.files.frames = parse_frame_numbers("--frames", o.frames);
+  if (!o.frames.empty()) o.files.frames = parse_number_list("--frames", o.frames);
   return is_stream(o.files.a) || is_stream(o.files.b) ? diff_solutions(o) : diff_frames(o);
 }
 

@@ -51,6 +51,9 @@ void check(const FrameTool& tool) {
   if (!request.frames.empty() && !request.times.empty()) {
     throw BadInput("--frames and --time: found both, expected one of them");
   }
+  if (!request.camera.empty() && !request.camera_at.empty()) {
+    throw BadInput("--camera and --camera-at: found both, expected one of them");
+  }
   if (request.raster.samples < 1 || request.raster.samples > kMaxSamples) {
     fail_option("--samples", std::to_string(request.raster.samples), "1 to " + std::to_string(kMaxSamples));
   }
@@ -80,10 +83,12 @@ FrameTool parse_options(int argc, char** argv) {
   FrameRequest& request = tool.request;
   std::string size = "640x480", direct = "pixel";
   Options options("strad-frame", "Renders frames of a solved stream.", &tool.common);
-  options.text("-f,--frames", "A:B[:S]", &request.frames,
-               "frames A to B in steps of S, or A alone (default: all)");
+  options.text("-f,--frames", "LIST", &request.frames,
+               "frames, as 1:600, 1:600:10 or 61,150:152 (default: all)");
   options.text("-t,--time", "T[,T...]", &request.times, "instants in seconds, in place of frames");
   options.text("-c,--camera", "NAME", &request.camera, "camera (default: the first)");
+  options.text("--camera-at", "KEY", &request.camera_at,
+               "a camera of your own in place of the stream's: 'from X Y Z to X Y Z fov A'");
   options.text("-s,--size", "WxH", &size, "size in pixels (default 640x480)");
   options.integer("--samples", "N", &request.raster.samples,
                   "samples of a pixel in which there are edges (default 16)");

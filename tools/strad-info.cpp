@@ -11,14 +11,16 @@ struct InfoOptions {
   Common common;
   std::string stream;
   bool json = false;
-  bool chunks = false;
+  FactChoice choice;
 };
 
 InfoOptions parse_options(int argc, char** argv) {
   InfoOptions info;
   Options options("strad-info", "Tell what is in a strad stream.", &info.common);
   options.flag("--json", &info.json, "print JSON");
-  options.flag("--chunks", &info.chunks, "list each chunk with its offset");
+  options.flag("--chunks", &info.choice.chunks, "list each chunk with its offset");
+  options.flag("--objects", &info.choice.objects,
+               "list objects, materials and bodies with their sizes and places at rest");
   options.output();
   options.file("STREAM", &info.stream, "the stream; standard input when absent or -");
   options.parse(argc, argv);
@@ -30,7 +32,7 @@ int tell(const InfoOptions& info) {
   std::vector<ChunkFacts> chunks;
   const Stream stream = read_with_chunks(reader, &chunks);
   detail(info.common, stream_summary(info.stream, stream));
-  const Fact facts = describe(stream, chunks, info.chunks);
+  const Fact facts = describe(stream, chunks, info.choice);
   Output output(info.common.output);
   output.write(info.json ? to_json(facts) : to_text(facts));
   output.commit();

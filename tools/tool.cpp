@@ -79,7 +79,7 @@ void refuse_terminal(const std::string& output) {
 
 void write_stream(Stream stream, const std::string& provenance, const Common& common) {
   refuse_terminal(common.output);
-  stream.scene.provenance.push_back(provenance);
+  if (!provenance.empty()) stream.scene.provenance.push_back(provenance);
   Output output(common.output);
   StreamWriter writer([&output](ByteSpan bytes) { output.write(bytes); });
   write_stream(stream, writer);

@@ -31,8 +31,8 @@ void detail(const Common& common, const std::string& text);
 // What a stream holds, for detail(): "NAME: 12 polygons, ...".
 std::string stream_summary(const std::string& name, const Stream& stream);
 
-// Reading is read_stream(path) of solution/stream_io.h. Writing appends `provenance` to the stream's, then
-// writes to common.output; throws BadInput rather than writing to a terminal.
+// Reading is read_stream(path) of solution/stream_io.h. Writing appends `provenance` to the stream's, unless
+// it is empty, then writes to common.output; throws BadInput rather than writing to a terminal.
 void write_stream(Stream stream, const std::string& provenance, const Common& common);
 
 // Throws BadInput when standard output is a terminal and `output` names it: for tools with binary output.

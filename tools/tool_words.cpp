@@ -74,6 +74,19 @@ std::vector<double> parse_numbers(std::string_view text, char separator, const s
   return numbers;
 }
 
+std::vector<int> parse_integers(std::string_view text, char separator, const std::string& what) {
+  std::vector<int> numbers;
+  for (const std::string& part : split(text, separator)) numbers.push_back(parse_integer(part, what));
+  return numbers;
+}
+
+double parse_ratio(std::string_view text, const std::string& what) {
+  const std::vector<double> parts = parse_numbers(text, '/', what);
+  if (parts.size() > 2 || (parts.size() == 2 && !(parts[1] > 0)))
+    fail_option(what, text, "a number, or two with / between");
+  return parts.size() == 2 ? parts[0] / parts[1] : parts[0];
+}
+
 std::array<double, 3> parse_triple(std::string_view text, const std::string& what) {
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 3) fail_option(what, text, "three numbers with commas between");

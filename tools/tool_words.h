@@ -13,6 +13,9 @@ double parse_number(std::string_view text, const std::string& what);
 int parse_integer(std::string_view text, const std::string& what);
 // "1,2,3" with any number of parts, each a number.
 std::vector<double> parse_numbers(std::string_view text, char separator, const std::string& what);
+std::vector<int> parse_integers(std::string_view text, char separator, const std::string& what);
+// A number, or two with a slash between, the second above 0: 24000/1001.
+double parse_ratio(std::string_view text, const std::string& what);
 // Exactly three: "X,Y,Z" or "R,G,B".
 std::array<double, 3> parse_triple(std::string_view text, const std::string& what);
 std::vector<std::string> split(std::string_view text, char separator);

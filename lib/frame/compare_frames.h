@@ -10,7 +10,7 @@
 
 namespace strad {
 
-// Paths, or all patterns (frame/file_pattern.h). Empty where there is none.
+// Paths, or all patterns (base/file_pattern.h). Empty where there is none.
 struct FrameFiles {
   std::string a, b;    // reference and what is compared to it
   std::string twin;    // a second rendering of `a` with independent noise, see compare()

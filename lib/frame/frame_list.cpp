@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/number_list.h"
 
 namespace strad {
 namespace {
@@ -60,26 +61,16 @@ TimeRange solved_range(const Solution& solution) {
 
 std::vector<FrameTime> parse_frames(const Scene& scene, TimeRange range, const std::string& option,
                                     const std::string& text) {
-  const std::string expected = "A, A:B or A:B:S with frames 1 to " + std::to_string(frame_count(scene));
-  const std::vector<std::string_view> parts = split(text, ':');
-  if (parts.size() > 3) refuse(option, text, expected);
-  int numbers[3] = {0, 0, 1};
-  for (size_t i = 0; i < parts.size(); ++i) {
-    const std::optional<int> number = number_in<int>(parts[i]);
-    if (!number) refuse(option, text, expected);
-    numbers[i] = *number;
-  }
-  if (parts.size() == 1) numbers[1] = numbers[0];
-  const auto [first, last, step] = numbers;
-  if (first < 1 || last < first || last > frame_count(scene) || step < 1) refuse(option, text, expected);
+  const int count = frame_count(scene);
+  const NumberBounds bounds{1, count, "frames 1 to " + std::to_string(count)};
   std::vector<FrameTime> frames;
-  for (int64_t k = first; k <= last; k += step) {
-    const double time = frame_time(scene, static_cast<double>(k));
+  for (const int k : parse_number_list(option, text, bounds)) {
+    const double time = frame_time(scene, k);
     if (!holds(range, time)) {
       throw BadInput(option + ": frame " + std::to_string(k) + " is at " + in_words(time) + " s, but " +
                      range_words(range));
     }
-    frames.push_back({static_cast<int>(k), time});
+    frames.push_back({k, time});
   }
   return frames;
 }

@@ -22,7 +22,8 @@ struct TimeRange {
 };
 TimeRange solved_range(const Solution& solution);
 
-// Frames "A:B:S" (from A to B in steps of S), "A:B" or "A". Throws BadInput beginning with `option` unless
+// Frames "A:B:S" (from A to B in steps of S), "A:B" or "A", or several of these with commas between, in the
+// order given. Throws BadInput beginning with `option` unless
 // all are frames of the scene and within `range`.
 std::vector<FrameTime> parse_frames(const Scene& scene, TimeRange range, const std::string& option,
                                     const std::string& text);

@@ -1,6 +1,7 @@
 #include "frame/frame_request.h"
 
 #include "base/error.h"
+#include "scene/motion_text.h"
 
 namespace strad {
 
@@ -23,13 +24,20 @@ FilePattern output_pattern(const FrameRequest& request, size_t frame_count) {
 
 const Camera& find_camera(const Scene& scene, const std::string& option, const std::string& name) {
   if (scene.cameras.empty()) throw BadInput("the stream has no camera: strad-motion adds one");
-  if (name.empty()) return scene.cameras.front();
   std::string known;
   for (const Camera& camera : scene.cameras) {
     if (camera.name == name) return camera;
     known += (known.empty() ? "" : ", ") + camera.name;
   }
   throw BadInput(option + ": found '" + name + "', expected one of " + known);
+}
+
+Camera requested_camera(const FrameRequest& request, const Scene& scene) {
+  if (!request.camera_at.empty()) return parse_camera("--camera-at", request.camera_at);
+  if (scene.cameras.empty())
+    throw BadInput("the stream has no camera: use --camera-at, or add one with strad-motion");
+  if (request.camera.empty()) return scene.cameras.front();
+  return find_camera(scene, "--camera", request.camera);
 }
 
 Stream read_solved(const std::string& path) {

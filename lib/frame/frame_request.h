@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/file_pattern.h"
 #include "base/progress.h"
-#include "frame/file_pattern.h"
 #include "frame/frame_list.h"
 #include "frame/raster.h"
 #include "frame/show.h"
@@ -17,9 +17,10 @@ namespace strad {
 // In the words of the command line.
 struct FrameRequest {
   std::string stream;            // "" or "-": standard input
-  std::string frames;            // "A:B:S"; with `times` empty too: all
+  std::string frames;            // "A:B:S,..."; with `times` empty too: all
   std::string times;             // "T,T,..."
   std::string camera;            // "": the first
+  std::string camera_at;         // "from X Y Z to X Y Z ...", in place of one of the stream's
   std::string output;            // pattern of file names; "" or "-": standard output
   double shutter = 0;            // fraction of a frame, 0 to 1
   double exposure = 0;           // all light is scaled by 2^exposure
@@ -39,8 +40,10 @@ std::vector<FrameTime> requested_frames(const FrameRequest& request, const Scene
 // Throws BadInput unless the names of `frame_count` files differ.
 FilePattern output_pattern(const FrameRequest& request, size_t frame_count);
 
-// The camera of that name, the first for "". Throws BadInput beginning with `option`.
+// The camera of that name. Throws BadInput beginning with `option`.
 const Camera& find_camera(const Scene& scene, const std::string& option, const std::string& name);
+// The camera that is asked for, of the scene or in words. Throws BadInput.
+Camera requested_camera(const FrameRequest& request, const Scene& scene);
 
 // The stream at `path`. Throws BadInput when it has no solution.
 Stream read_solved(const std::string& path);

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <string_view>
 
 #include "base/error.h"
 
@@ -28,44 +25,7 @@ void add_number(const FilePattern& pattern, const std::string& name, std::vector
   }
 }
 
-// FIRST, FIRST:LAST or FIRST:LAST:STEP.
-struct Range {
-  int first = 0, last = 0, step = 1;
-};
-
-std::optional<Range> parse_range(std::string_view text) {
-  int numbers[3] = {0, 0, 1};
-  int count = 0;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (;;) {
-    const auto [stop, error] = std::from_chars(at, end, numbers[count++]);
-    if (error != std::errc{}) return {};
-    at = stop;
-    if (at == end || *at != ':' || count == 3) break;
-    ++at;
-  }
-  const Range range{numbers[0], count == 1 ? numbers[0] : numbers[1], numbers[2]};
-  const bool valid = at == end && range.first >= 0 && range.last >= range.first && range.step >= 1;
-  return valid ? std::optional(range) : std::nullopt;
-}
-
 }  // namespace
-
-std::vector<int> parse_frame_numbers(const std::string& option, const std::string& text) {
-  std::vector<int> numbers;
-  for (size_t begin = 0; begin <= text.size();) {
-    const size_t end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
-    const std::optional<Range> range = parse_range(part);
-    if (!range)
-      throw BadInput(option + ": found '" + part + "', expected FIRST, FIRST:LAST or FIRST:LAST:STEP");
-    for (int64_t number = range->first; number <= range->last; number += range->step)
-      numbers.push_back(static_cast<int>(number));
-    begin = end + 1;
-  }
-  return numbers;
-}
 
 std::vector<int> frames_on_disk(const FilePattern& pattern) {
   fs::path folder = fs::path(pattern.name(0)).parent_path();

@@ -16,7 +16,7 @@ namespace {
 void write_each(const FrameRequest& request, const Scene& scene, TimeRange range, double exposure,
                 const Progress& progress, const std::function<Image(const Camera&, double time)>& render) {
   const std::vector<FrameTime> frames = requested_frames(request, scene, range);
-  const Camera& camera = find_camera(scene, "--camera", request.camera);
+  const Camera camera = requested_camera(request, scene);
   std::optional<FilePattern> pattern;
   std::optional<Output> pipe;
   if (goes_to_files(request)) {

@@ -36,6 +36,15 @@ struct Turned {
 
 void turn_scene(Scene* scene, const Turned& turned) {
   for (Vec3& vertex : scene->vertices) vertex = turned.point(vertex);
+  for (Body& body : scene->bodies) {
+    body.pivot = turned.point(body.pivot);
+    body.axis = turned.direction(body.axis);
+    for (BodyKey& key : body.keys) {
+      key.move = turned.point(key.move);  // a difference of points: there is no shift in it
+      const Vec3 v = turned.direction({key.quat.x, key.quat.y, key.quat.z});
+      key.quat = {key.quat.w, v.x, v.y, v.z};
+    }
+  }
   for (Spot& spot : scene->spots) {
     for (SpotKey& key : spot.keys) {
       key.at = turned.point(key.at);

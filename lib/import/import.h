@@ -33,8 +33,8 @@ Rgb limited_reflectance(Rgb reflectance, const std::string& file, uint32_t line,
 Rgb overridden_emission(Rgb emission, const std::string& name, const ImportOptions& options);
 
 // The last steps of an import. Sets the emission that `options.lights` asks for, drops vertices and texture
-// coordinates that are not used, applies the scale and the upward axis (also to spots and cameras), and
-// validates. `name` is the file's in errors. Throws BadInput.
+// coordinates that are not used, applies the scale and the upward axis (also to bodies, spots and cameras),
+// and validates. `name` is the file's in errors. Throws BadInput.
 Scene finish_import(Scene scene, const ImportOptions& options, const std::string& name);
 
 }  // namespace strad

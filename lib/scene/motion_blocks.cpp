@@ -1,6 +1,7 @@
 // The statements of a motion file, parsed block by block.
 #include "scene/motion_blocks.h"
 
+#include <cmath>
 #include <span>
 
 #include "base/text.h"
@@ -67,16 +68,17 @@ Ease take_ease(MotionWords& words) {
 Vec3 take_axis(MotionWords& words) {
   const Vec3 axis = words.vector("the axis");
   if (!(length2(axis) > 0)) words.fail("an axis of no length", "a direction");
-  return normalized(axis);
+  return is_unit_to_rounding(length(axis)) ? axis : normalized(axis);
 }
+
+std::string degrees_shown(double radians) { return motion_number(std::round(radians / kDegree * 1e9) / 1e9); }
 
 void take_cone(MotionWords& words, Spot& spot) {
   const std::string expected = "two half-angles in degrees, 0 <= inner <= outer < 180, outer > 0";
-  const double inner = words.number(expected), outer = words.number(expected);
-  if (!(inner >= 0 && inner <= outer && outer > 0 && outer < 180))
-    words.fail("a cone from " + motion_number(inner) + " to " + motion_number(outer), expected);
-  spot.inner = radians(inner);
-  spot.outer = radians(outer);
+  spot.inner = words.angle(expected);
+  spot.outer = words.angle(expected);
+  if (!(spot.inner >= 0 && spot.inner <= spot.outer && spot.outer > 0 && spot.outer < kPi))
+    words.fail("a cone from " + degrees_shown(spot.inner) + " to " + degrees_shown(spot.outer), expected);
 }
 
 BodyBlock parse_body(const BlockText& text) {
@@ -156,9 +158,9 @@ MotionInterval parse_time(const BlockText& text) {
 
 double parse_rate(const BlockText& text) {
   MotionWords words(text.file, text.head);
-  const std::string expected = "frames per second, above 0";
+  const std::string expected = "frames per second, above 0, such as 25 or 24000/1001";
   words.word(expected);
-  const double rate = words.number(expected);
+  const double rate = words.ratio(expected);
   if (!(rate > 0)) words.fail(expected);
   words.expect_end();
   return rate;

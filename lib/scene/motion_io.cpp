@@ -176,6 +176,17 @@ void put_motion(Bytes* to, const Scene& scene) {
   put_list(to, scene.cameras);
 }
 
+Bytes motion_of_light(const Scene& scene) {
+  Bytes bytes;
+  put_f64(&bytes, scene.start);
+  put_f64(&bytes, scene.end);
+  put_list(&bytes, scene.bodies);
+  put_list(&bytes, scene.spots);
+  put_list(&bytes, scene.glows);
+  for (const Object& object : scene.objects) put_varint(&bytes, object.body);
+  return bytes;
+}
+
 void get_motion(ByteReader* from, Scene* scene) {
   scene->start = from->f64();
   scene->end = from->f64();

@@ -64,14 +64,15 @@ Quat take_quat(MotionWords& words) {
   const Vec3 v{words.number(expected), words.number(expected), words.number(expected)};
   const double norm = std::sqrt(w * w + length2(v));
   if (!(norm > 0)) words.fail("a quaternion of no length", "a rotation");
+  if (is_unit_to_rounding(norm)) return {w, v.x, v.y, v.z};
   return {w / norm, v.x / norm, v.y / norm, v.z / norm};
 }
 
 double take_fov(MotionWords& words) {
   const std::string expected = "a field of view in degrees, above 0 and below 180";
-  const double fov = words.number(expected);
-  if (!(fov > 0 && fov < 180)) words.fail(expected);
-  return radians(fov);
+  const double fov = words.angle(expected);
+  if (!(fov > 0 && fov < kPi)) words.fail(expected);
+  return fov;
 }
 
 // Whether the camera's view direction and up vector are far enough from parallel to span a plane.
@@ -94,7 +95,7 @@ void take_key(MotionWords& words, std::vector<BodyKey>& keys) {
     if (field == "move") {
       key.move = words.vector("the move");
     } else if (field == "turn") {
-      key.turn = radians(words.number("an angle in degrees"));
+      key.turn = words.angle("an angle in degrees");
       key.has_quat = false;
       key.quat = {};
       has_turn = true;
@@ -139,7 +140,7 @@ void take_key(MotionWords& words, std::vector<GlowKey>& keys) {
 
 void take_key(MotionWords& words, std::vector<CameraKey>& keys) {
   CameraKey first;
-  first.fov = radians(kDefaultFov);
+  first.fov = kDefaultFov * kDegree;
   take_fields(words, keys, first, {"from", "to"}, "from, to, up and fov",
               [&](const std::string& field, CameraKey& key) {
                 if (field == "from")

@@ -6,7 +6,9 @@
 
 namespace strad {
 
-inline double radians(double degrees) { return degrees * kDegree; }
+// Whether a length differs from 1 by no more than rounding. Such quaternions and axes are taken as they are,
+// so that what was normalized once and written with all digits is read back as it was.
+inline bool is_unit_to_rounding(double length) { return std::abs(length - 1) <= 1e-15; }
 
 // `value` in as few digits as read back to the same number.
 std::string motion_number(double value);

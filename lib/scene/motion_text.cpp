@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "scene/motion_blocks.h"
+#include "scene/motion_keys.h"
 #include "scene/motion_words.h"
 
 namespace strad {
@@ -159,6 +160,17 @@ void apply_motion(std::string_view text, const std::string& file, Scene& scene) 
     // Faults of the scene as a whole, such as too many frames.
     throw BadInput(file + ": " + error.what());
   }
+}
+
+Camera parse_camera(const std::string& name, const std::string& text) {
+  std::vector<MotionLine> lines = motion_lines("0 " + text, name);
+  if (lines.size() != 1) throw BadInput(name + ": found several lines, expected one");
+  lines[0].number = 0;
+  Camera camera{name, {}};
+  MotionWords words(name, lines[0]);
+  take_key(words, camera.keys);
+  words.expect_end();
+  return camera;
 }
 
 }  // namespace strad

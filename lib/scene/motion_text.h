@@ -13,4 +13,8 @@ namespace strad {
 // found ..., expected ..."; the scene must then not be used any more.
 void apply_motion(std::string_view text, const std::string& file, Scene& scene);
 
+// A camera that does not move, from the words of a camera's key: "from 0 1 5 to 0 1 0 fov 40". `name` is its
+// name, and the one used in messages. Throws BadInput.
+Camera parse_camera(const std::string& name, const std::string& text);
+
 }  // namespace strad

@@ -45,7 +45,8 @@ std::vector<std::string> words_of(std::string_view line, int number, const std::
 }  // namespace
 
 void fail_at(const std::string& file, int line, const std::string& found, const std::string& expected) {
-  throw BadInput(file + ":" + std::to_string(line) + ": found " + found + ", expected " + expected);
+  const std::string place = line > 0 ? file + ":" + std::to_string(line) : file;
+  throw BadInput(place + ": found " + found + ", expected " + expected);
 }
 
 std::vector<MotionLine> motion_lines(std::string_view text, const std::string& file) {
@@ -68,11 +69,29 @@ std::string MotionWords::word(const std::string& expected) {
   return line_.words[next_++];
 }
 
-double MotionWords::number(const std::string& expected) {
-  const std::optional<double> value = number_in(word(expected));
+double MotionWords::number(const std::string& expected) { return number_of(word(expected), expected); }
+
+double MotionWords::number_of(std::string_view text, const std::string& expected) const {
+  const std::optional<double> value = number_in(text);
   if (!value) fail(expected);
   if (!(std::abs(*value) <= kLargestNumber)) fail("a number of at most 1e15");
   return *value;
+}
+
+double MotionWords::angle(const std::string& expected) {
+  const std::string text = word(expected);
+  if (!text.ends_with(kRadians)) return number_of(text, expected) * kDegree;
+  return number_of(std::string_view(text).substr(0, text.size() - kRadians.size()), expected);
+}
+
+double MotionWords::ratio(const std::string& expected) {
+  const std::string text = word(expected);
+  const size_t slash = text.find('/');
+  const double above = number_of(text.substr(0, slash), expected);
+  if (slash == std::string::npos) return above;
+  const double below = number_of(text.substr(slash + 1), expected);
+  if (!(below > 0)) fail(expected);
+  return above / below;
 }
 
 Vec3 MotionWords::vector(const std::string& what) {

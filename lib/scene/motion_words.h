@@ -9,6 +9,9 @@
 
 namespace strad {
 
+// Behind an angle: it is in radians, not degrees.
+constexpr std::string_view kRadians = "rad";
+
 struct MotionLine {
   int number = 0;         // from 1
   bool indented = false;  // belongs to the block above
@@ -19,7 +22,7 @@ struct MotionLine {
 // and #.
 std::vector<MotionLine> motion_lines(std::string_view text, const std::string& file);
 
-// Throws BadInput "file:line: found ..., expected ...".
+// Throws BadInput "file:line: found ..., expected ..."; without the line where it is 0.
 [[noreturn]] void fail_at(const std::string& file, int line, const std::string& found,
                           const std::string& expected);
 
@@ -32,6 +35,10 @@ class MotionWords {
   bool at_end() const { return next_ == line_.words.size(); }
   std::string word(const std::string& expected);
   double number(const std::string& expected);
+  // In radians. Degrees, or a number of radians with `rad` behind it.
+  double angle(const std::string& expected);
+  // A number, or two with a slash between, the second above 0: 24000/1001.
+  double ratio(const std::string& expected);
   Vec3 vector(const std::string& what);
   void expect_end() const;
 
@@ -40,6 +47,8 @@ class MotionWords {
   [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 
  private:
+  double number_of(std::string_view text, const std::string& expected) const;
+
   const std::string& file_;
   const MotionLine& line_;
   size_t next_ = 0;

@@ -80,6 +80,7 @@ struct Spot {
 struct GlowKey {
   double time = 0;
   float value = 1;
+  bool operator==(const GlowKey&) const = default;
 };
 
 // Scale of a material's emission over time.

@@ -1,42 +1,18 @@
 #include "solution/facts.h"
 
-#include <charconv>
 #include <map>
 
+#include "solution/fact_values.h"
+#include "solution/object_facts.h"
 #include "solution/slab_work.h"
 
 namespace strad {
 namespace {
 
-Fact number(double value) { return {value}; }
-// A number that is stored as a float is printed with the fewest digits that give this float.
-Fact number(float value) {
-  char text[32];
-  const char* end = std::to_chars(text, text + sizeof text, value).ptr;
-  double shortest = 0;
-  std::from_chars(text, end, shortest);
-  return {shortest};
-}
-Fact number(size_t value) { return {static_cast<double>(value)}; }
-Fact text(std::string value) { return {std::move(value)}; }
-Fact point(Vec3 p) {
-  const auto coordinate = [](double x) { return number(static_cast<float>(x)); };
-  return {FactList{coordinate(p.x), coordinate(p.y), coordinate(p.z)}};
-}
-Fact colour(Rgb c) { return {FactList{number(c.r), number(c.g), number(c.b)}}; }
-
-template <typename Item, typename Describe>
-Fact list_of(const std::vector<Item>& items, Describe describe) {
-  FactList list;
-  for (const Item& item : items) list.push_back(describe(item));
-  return {std::move(list)};
-}
-
 Fact bounds(const Scene& scene) {
   Box box;
   for (const Vec3& vertex : scene.vertices) box.add(vertex);
-  if (box.empty()) return text("empty");
-  return {FactGroup{{"lower", point(box.lower)}, {"upper", point(box.upper)}}};
+  return box_fact(box);
 }
 
 // Emitted power in W per channel: pi Le area, over all front sides.
@@ -50,54 +26,56 @@ Fact emitters(const Scene& scene) {
     area += a;
     power += static_cast<float>(kPi * a) * scene.materials[polygon.material].emission;
   }
-  return {FactGroup{{"polygons", number(count)}, {"area m^2", number(area)}, {"power W", colour(power)}}};
+  return {FactGroup{
+      {"polygons", number_fact(count)}, {"area m^2", number_fact(area)}, {"power W", colour_fact(power)}}};
 }
 
 Fact body(const Scene& scene, const Body& body) {
   double objects = 0;
   for (const Object& object : scene.objects) objects += &scene.bodies[object.body] == &body ? 1 : 0;
-  return {FactGroup{{"name", text(body.name)},
-                    {"on", text(scene.bodies[body.parent].name)},
-                    {"objects", number(objects)},
-                    {"keys", number(body.keys.size())}}};
+  return {FactGroup{{"name", text_fact(body.name)},
+                    {"on", text_fact(scene.bodies[body.parent].name)},
+                    {"objects", number_fact(objects)},
+                    {"keys", number_fact(body.keys.size())}}};
 }
 
 Fact spot(const Scene& scene, const Spot& spot) {
-  return {FactGroup{{"name", text(spot.name)},
-                    {"on", text(scene.bodies[spot.body].name)},
-                    {"inner degrees", number(spot.inner * 180 / kPi)},
-                    {"outer degrees", number(spot.outer * 180 / kPi)},
-                    {"keys", number(spot.keys.size())}}};
+  return {FactGroup{{"name", text_fact(spot.name)},
+                    {"on", text_fact(scene.bodies[spot.body].name)},
+                    {"inner degrees", number_fact(spot.inner * 180 / kPi)},
+                    {"outer degrees", number_fact(spot.outer * 180 / kPi)},
+                    {"keys", number_fact(spot.keys.size())}}};
 }
 
 Fact material(const Scene& scene, const Material& material) {
-  FactGroup group{{"name", text(material.name)}, {"reflectance", colour(material.reflectance)}};
-  if (!is_black(material.emission)) group.push_back({"emission W/(sr m^2)", colour(material.emission)});
-  if (material.texture != kNone) group.push_back({"texture", text(scene.textures[material.texture].name)});
+  FactGroup group{{"name", text_fact(material.name)}, {"reflectance", colour_fact(material.reflectance)}};
+  if (!is_black(material.emission)) group.push_back({"emission W/(sr m^2)", colour_fact(material.emission)});
+  if (material.texture != kNone)
+    group.push_back({"texture", text_fact(scene.textures[material.texture].name)});
   return {std::move(group)};
 }
 
 Fact glow(const Scene& scene, const Glow& glow) {
-  return {
-      FactGroup{{"material", text(scene.materials[glow.material].name)}, {"keys", number(glow.keys.size())}}};
+  return {FactGroup{{"material", text_fact(scene.materials[glow.material].name)},
+                    {"keys", number_fact(glow.keys.size())}}};
 }
 
 Fact camera(const Camera& camera) {
-  return {FactGroup{{"name", text(camera.name)}, {"keys", number(camera.keys.size())}}};
+  return {FactGroup{{"name", text_fact(camera.name)}, {"keys", number_fact(camera.keys.size())}}};
 }
 
 Fact scene_facts(const Scene& scene) {
-  const auto size = [](const auto& items) { return number(items.size()); };
+  const auto size = [](const auto& items) { return number_fact(items.size()); };
   return {FactGroup{
       {"polygons", size(scene.polygons)},
       {"vertices", size(scene.vertices)},
       {"objects", size(scene.objects)},
       {"textures", size(scene.textures)},
       {"bounds m", bounds(scene)},
-      {"start s", number(scene.start)},
-      {"end s", number(scene.end)},
-      {"rate 1/s", number(scene.rate)},
-      {"frames", number(static_cast<size_t>(frame_count(scene)))},
+      {"start s", number_fact(scene.start)},
+      {"end s", number_fact(scene.end)},
+      {"rate 1/s", number_fact(scene.rate)},
+      {"frames", number_fact(static_cast<size_t>(frame_count(scene)))},
       {"emitters", emitters(scene)},
       {"materials", list_of(scene.materials, [&](const Material& m) { return material(scene, m); })},
       {"bodies", list_of(scene.bodies, [&](const Body& b) { return body(scene, b); })},
@@ -116,22 +94,22 @@ double coefficient_count(const Slab& slab) {
 }
 
 Fact slab_facts(const Slab& slab) {
-  return {FactGroup{{"begin s", number(slab_begin(slab))},
-                    {"end s", number(slab_end(slab))},
-                    {"basis", text("m" + std::to_string(slab.grid.order))},
-                    {"spans", number(slab.grid.spans.size())},
-                    {"cells", number(size_t{slab.grid.cell_count()})},
-                    {"vertices", number(slab.mesh.vertices.size())},
-                    {"elements", number(slab.mesh.elements.size())},
-                    {"faces", number(slab.mesh.faces.size())},
-                    {"pieces", number(piece_count(slab))},
-                    {"coefficients", number(coefficient_count(slab))}}};
+  return {FactGroup{{"begin s", number_fact(slab_begin(slab))},
+                    {"end s", number_fact(slab_end(slab))},
+                    {"basis", text_fact("m" + std::to_string(slab.grid.order))},
+                    {"spans", number_fact(slab.grid.spans.size())},
+                    {"cells", number_fact(size_t{slab.grid.cell_count()})},
+                    {"vertices", number_fact(slab.mesh.vertices.size())},
+                    {"elements", number_fact(slab.mesh.elements.size())},
+                    {"faces", number_fact(slab.mesh.faces.size())},
+                    {"pieces", number_fact(piece_count(slab))},
+                    {"coefficients", number_fact(coefficient_count(slab))}}};
 }
 
 Fact work_facts(const SlabWork& work) {
-  const auto count = [](uint64_t n) { return number(static_cast<double>(n)); };
-  return {FactGroup{{"begin s", number(work.begin)},
-                    {"end s", number(work.end)},
+  const auto count = [](uint64_t n) { return number_fact(static_cast<double>(n)); };
+  return {FactGroup{{"begin s", number_fact(work.begin)},
+                    {"end s", number_fact(work.end)},
                     {"clusters", count(work.clusters)},
                     {"links", count(work.links)},
                     {"links refined in time", count(work.links_refined_in_time)},
@@ -154,14 +132,14 @@ Fact solution_facts(const Solution& solution, const std::vector<ChunkFacts>& chu
     if (is_light(chunk.type)) light_bytes += bytes;
     if (is_light(chunk.type) || chunk.type == kSlabChunk || chunk.type == kIndexChunk) all_bytes += bytes;
   }
-  FactGroup group{{"begin s", number(slab_begin(solution.slabs.front()))},
-                  {"end s", number(slab_end(solution.slabs.back()))},
-                  {"pieces", number(pieces)},
-                  {"coefficients", number(coefficients)},
-                  {"bytes", number(all_bytes)}};
+  FactGroup group{{"begin s", number_fact(slab_begin(solution.slabs.front()))},
+                  {"end s", number_fact(slab_end(solution.slabs.back()))},
+                  {"pieces", number_fact(pieces)},
+                  {"coefficients", number_fact(coefficients)},
+                  {"bytes", number_fact(all_bytes)}};
   if (coefficients > 0) {
-    group.push_back({"light bytes per coefficient", number(light_bytes / coefficients)});
-    group.push_back({"bytes per coefficient", number(all_bytes / coefficients)});
+    group.push_back({"light bytes per coefficient", number_fact(light_bytes / coefficients)});
+    group.push_back({"bytes per coefficient", number_fact(all_bytes / coefficients)});
   }
   group.push_back({"slabs", list_of(solution.slabs, slab_facts)});
   return {std::move(group)};
@@ -180,18 +158,18 @@ Fact bytes_by_type(const std::vector<ChunkFacts>& chunks) {
   }
   FactList list;
   for (const auto& [type, sum] : sums)
-    list.push_back({FactGroup{{"type", text(name_of(type))},
-                              {"count", number(sum.count)},
-                              {"stored bytes", number(sum.stored)},
-                              {"content bytes", number(sum.content)}}});
+    list.push_back({FactGroup{{"type", text_fact(name_of(type))},
+                              {"count", number_fact(sum.count)},
+                              {"stored bytes", number_fact(sum.stored)},
+                              {"content bytes", number_fact(sum.content)}}});
   return {std::move(list)};
 }
 
 Fact chunk_facts(const ChunkFacts& chunk) {
-  return {FactGroup{{"offset", number(size_t{chunk.offset})},
-                    {"type", text(name_of(chunk.type))},
-                    {"stored bytes", number(size_t{chunk.stored})},
-                    {"content bytes", number(size_t{chunk.content})}}};
+  return {FactGroup{{"offset", number_fact(size_t{chunk.offset})},
+                    {"type", text_fact(name_of(chunk.type))},
+                    {"stored bytes", number_fact(size_t{chunk.stored})},
+                    {"content bytes", number_fact(size_t{chunk.content})}}};
 }
 
 }  // namespace
@@ -203,17 +181,18 @@ Stream read_with_chunks(StreamReader& reader, std::vector<ChunkFacts>* chunks) {
   });
 }
 
-Fact describe(const Stream& stream, const std::vector<ChunkFacts>& chunks, bool list_chunks) {
+Fact describe(const Stream& stream, const std::vector<ChunkFacts>& chunks, const FactChoice& choice) {
   FactGroup all{
-      {"provenance", list_of(stream.scene.provenance, [](const std::string& s) { return text(s); })},
+      {"provenance", list_of(stream.scene.provenance, [](const std::string& s) { return text_fact(s); })},
       {"scene", scene_facts(stream.scene)}};
+  if (choice.objects) all.push_back({"objects", object_facts(stream.scene)});
   if (stream.solution) all.push_back({"solution", solution_facts(*stream.solution, chunks)});
   FactList work;
   for (const Chunk& chunk : stream.others)
     if (chunk.type == kWorkChunk) work.push_back(work_facts(decode_work(chunk.content, name_of(chunk.type))));
   if (!work.empty()) all.push_back({"work", {std::move(work)}});
   all.push_back({"bytes", bytes_by_type(chunks)});
-  if (list_chunks) all.push_back({"chunks", list_of(chunks, chunk_facts)});
+  if (choice.chunks) all.push_back({"chunks", list_of(chunks, chunk_facts)});
   return {std::move(all)};
 }
 

@@ -2,24 +2,12 @@
 #pragma once
 
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "solution/fact_values.h"
 #include "solution/stream_io.h"
 
 namespace strad {
-
-struct Fact;
-struct NamedFact;
-using FactList = std::vector<Fact>;
-using FactGroup = std::vector<NamedFact>;
-struct Fact {
-  std::variant<double, std::string, FactList, FactGroup> value;
-};
-struct NamedFact {
-  std::string name;
-  Fact fact;
-};
 
 // A chunk as it stands in the stream.
 struct ChunkFacts {
@@ -31,8 +19,14 @@ struct ChunkFacts {
 // Reads a stream, as read_stream does, and lists its chunks.
 Stream read_with_chunks(StreamReader& reader, std::vector<ChunkFacts>* chunks);
 
-// All facts about scene and solution; with `list_chunks` also each chunk with its offset.
-Fact describe(const Stream& stream, const std::vector<ChunkFacts>& chunks, bool list_chunks);
+// Long lists, which are made only where they are asked for.
+struct FactChoice {
+  bool chunks = false;   // each chunk with its offset
+  bool objects = false;  // each object, and what materials and bodies have of the surfaces
+};
+
+// All facts about scene and solution.
+Fact describe(const Stream& stream, const std::vector<ChunkFacts>& chunks, const FactChoice& choice = {});
 
 std::string to_json(const Fact& fact);
 // One value per line, groups indented.

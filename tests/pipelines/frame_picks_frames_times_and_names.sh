@@ -13,6 +13,9 @@ rm out/*
 frame -f 52:60:4 -o 'out/%d%%.pfm'
 [ "$(ls out | tr '\n' ' ')" = "52%.pfm 56%.pfm 60%.pfm " ]
 rm out/*
+frame -f 60,51:55:2 -o 'out/%d.pfm'
+[ "$(ls out | tr '\n' ' ')" = "51.pfm 53.pfm 55.pfm 60.pfm " ]
+rm out/*
 frame -t 2.3,2.04 -o 'out/t%2d.pfm'  # times are numbered in the order given
 [ "$(ls out | tr '\n' ';')" = "t 1.pfm;t 2.pfm;" ]
 frame -f 52 -o out/frame52.pfm

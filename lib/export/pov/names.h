@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "frame/file_pattern.h"
+#include "base/file_pattern.h"
 
 namespace strad {
 

@@ -23,7 +23,7 @@ PovOptions pov_options(const FrameRequest& request, const Scene& scene) {
   PovOptions options;
   options.pattern = request.output;
   options.light = request.raster.direct == DirectFrom::kMesh ? PovLighting::kBaked : PovLighting::kLights;
-  options.camera = find_camera(scene, "--camera", request.camera);
+  options.camera = requested_camera(request, scene);
   options.width = static_cast<int>(request.raster.width);
   options.height = static_cast<int>(request.raster.height);
   options.exposure = request.exposure;

@@ -3,9 +3,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "import/obj/file.h"
 #include "import/obj/materials.h"
-#include "import/obj/parse.h"
-#include "import/obj/scan.h"
 #include "import/polygonize.h"
 
 namespace strad {
@@ -85,21 +84,36 @@ void drop_unused_names(Scene* scene) {
 
 }  // namespace
 
-Scene import_obj(const std::string& path, const ImportOptions& options, ImportReport* report) {
-  const std::string name = text_name(path);
-  const ObjScan scan = scan_obj(read_text(path), name, options, report);
+ObjFile read_obj(const std::string& path, const ImportOptions& options, ImportReport* report) {
+  ObjFile file{path, text_name(path), {}, {}};
+  file.scan = scan_obj(read_text(path), file.name, options, report);
+  file.obj = parse_clean_obj(file.scan.clean);
+  if (file.obj.vertices.size() != file.scan.vertex_count ||
+      file.obj.faces.size() != file.scan.face_lines.size())
+    throw BadInput(file.name + ": tinyobjloader lost vertices or faces");
+  file.scan.clean.clear();
+  return file;
+}
+
+Scene scene_of(ObjFile file, const std::vector<uint32_t>& bodies, std::vector<Body> moving,
+               const ImportOptions& options, ImportReport* report) {
   Scene scene;
-  load_obj_materials(scan, path, options, report, &scene);
-  ParsedObj obj = parse_clean_obj(scan.clean);
-  if (obj.vertices.size() != scan.vertex_count || obj.faces.size() != scan.face_lines.size())
-    throw BadInput(name + ": tinyobjloader lost vertices or faces");
-  for (const ObjScan::Named& object : scan.objects) scene.objects.push_back({object.name, 0});
-  FaceAdder adder(obj, scan, name, report, &scene);
-  for (size_t face = 0; face < obj.faces.size(); ++face) adder.add(face);
+  load_obj_materials(file.scan, file.path, options, report, &scene);
+  for (size_t i = 0; i < file.scan.objects.size(); ++i)
+    scene.objects.push_back({file.scan.objects[i].name, bodies.empty() ? 0 : bodies[i]});
+  for (Body& body : moving) scene.bodies.push_back(std::move(body));
+  FaceAdder adder(file.obj, file.scan, file.name, report, &scene);
+  for (size_t face = 0; face < file.obj.faces.size(); ++face) adder.add(face);
   drop_unused_names(&scene);
-  scene.vertices = std::move(obj.vertices);
-  scene.uvs = std::move(obj.uvs);
-  return finish_import(std::move(scene), options, name);
+  scene.vertices = std::move(file.obj.vertices);
+  scene.uvs = std::move(file.obj.uvs);
+  return scene;
+}
+
+Scene import_obj(const std::string& path, const ImportOptions& options, ImportReport* report) {
+  ObjFile file = read_obj(path, options, report);
+  const std::string name = file.name;
+  return finish_import(scene_of(std::move(file), {}, {}, options, report), options, name);
 }
 
 }  // namespace strad

@@ -1,6 +1,7 @@
 // Puts what a POV-Ray file describes into a scene: surfaces, materials, the camera.
 #include "import/pov/build.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -8,6 +9,7 @@
 #include "base/text.h"
 #include "import/load_texture.h"
 #include "import/polygonize.h"
+#include "import/poses/few_scene_keys.h"
 
 namespace strad {
 
@@ -50,7 +52,8 @@ uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& o
   const std::string name = named ? surface.name : object_name;
   material.reflectance =
       limited_reflectance(surface.reflectance, surface.place.file, surface.place.line, report_);
-  material.emission = overridden_emission(surface.emission, name, options_);
+  const Varying varying = emission_of(surface);
+  material.emission = overridden_emission(varying.emission, name, options_);
   if (!is_finite(material.emission))
     fail_at(surface.place.file, surface.place.line, "an emission is not finite");
   for (int c = 0; c < 3; ++c) {
@@ -60,10 +63,15 @@ uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& o
   }
   if (surface.image) material.texture = texture_of(*surface.image, surface.place);
   const Rgb r = material.reflectance, e = material.emission;
-  const auto [found, is_new] = materials_.insert({{name, r.r, r.g, r.b, e.r, e.g, e.b, material.texture},
-                                                  static_cast<uint32_t>(scene_.materials.size())});
+  const auto same_glow = std::find(glows_.begin(), glows_.end(), varying.keys);
+  const auto glow = static_cast<size_t>(same_glow - glows_.begin());
+  if (same_glow == glows_.end()) glows_.push_back(varying.keys);
+  const auto [found, is_new] =
+      materials_.insert({{name, r.r, r.g, r.b, e.r, e.g, e.b, material.texture, glow},
+                         static_cast<uint32_t>(scene_.materials.size())});
   if (is_new) {
     material.name = material_names_.unique(name);
+    if (!varying.keys.empty()) scene_.glows.push_back({found->second, varying.keys});
     scene_.materials.push_back(material);
   }
   if (named) material_of_surface_[&surface] = found->second;
@@ -125,35 +133,53 @@ void PovBuilder::add_facet(const PovFacet& facet, const PovObject& object, uint3
   }
 }
 
-void PovBuilder::add_object(const std::string& name, const PovObject& object) {
+// The object of the scene that a facet belongs to.
+uint32_t PovBuilder::object_for(const PovFacet& facet, const PovObject& object, Parts* parts) {
+  uint32_t body = 0;
+  if (!parts->bodies.empty()) {
+    const auto next = std::upper_bound(object.shapes.begin(), object.shapes.end(), facet.corners[0]);
+    body = parts->bodies[static_cast<size_t>(next - object.shapes.begin()) - 1];
+  }
+  const auto [found, is_new] =
+      parts->objects.insert({{facet.part, body}, static_cast<uint32_t>(scene_.objects.size())});
+  if (!is_new) return found->second;
+  const std::string& part = object.parts[facet.part];
+  const bool has_others = std::any_of(parts->objects.begin(), parts->objects.end(), [&](const auto& other) {
+    return other.first.first == facet.part && other.first.second != body;
+  });
+  std::string name = part.empty() ? parts->name : parts->name + "/" + part;
+  if (has_others) name = object_names_.unique(name + "_part");
+  scene_.objects.push_back({name, body});
+  return found->second;
+}
+
+void PovBuilder::add_surfaces(const PovObject& object, Parts* parts) {
+  for (const PovFacet& facet : object.facets)
+    if (!left_out(facet, object)) add_facet(facet, object, object_for(facet, object, parts), parts->name);
+}
+
+void PovBuilder::add_object(const PovPlaced& placed, size_t index) {
+  const PovObject& object = placed.object;
   for (const PovProblem& problem : object.problems) refuse(problem, options_, report_);
   for (const PovProblem& note : object.notes) report_->add(note.what, note.place.file, note.place.line);
   if (object.facets.empty()) return;
-  const std::string full = object_names_.unique(name);
-  std::vector<uint32_t> object_of_part(object.parts.size(), kNone);
-  for (const PovFacet& facet : object.facets) {
-    if (left_out(facet, object)) continue;
-    uint32_t& scene_object = object_of_part[facet.part];
-    if (scene_object == kNone) {
-      const std::string& part = object.parts[facet.part];
-      scene_object = static_cast<uint32_t>(scene_.objects.size());
-      scene_.objects.push_back({part.empty() ? full : full + "/" + part, 0});
-    }
-    add_facet(facet, object, scene_object, full);
-  }
+  Parts parts{object_names_.unique(placed.name), {}, {}};
+  if (followed_)
+    for (size_t shape = 0; shape < object.shapes.size(); ++shape)
+      parts.bodies.push_back(body_of_piece(followed_->piece_of_shape(index, shape)));
+  add_surfaces(object, &parts);
 }
 
 void PovBuilder::add_camera(const PovCamera& camera) {
   if (camera.problem) refuse(*camera.problem, options_, report_);
-  const double height = length(camera.up), depth = length(camera.direction);
-  if (!(height > 0) || !(depth > 0) || !(length(cross(camera.up, camera.direction)) > 0))
-    fail_at(camera.place.file, camera.place.line, "the camera has no direction or no upward vector");
-  CameraKey key;
-  key.from = placed(camera.location);
-  key.to = key.from + placed(normalized(camera.direction));
-  key.up = placed(normalized(camera.up));
-  key.fov = 2 * std::atan(height / 2 / depth);
-  scene_.cameras.push_back({camera.name.empty() ? "camera" : camera.name, {key}});
+  scene_.cameras.push_back({camera.name.empty() ? "camera" : camera.name, {}});
+  std::vector<CameraKey> keys{camera_key(camera, 0)};
+  if (followed_ && !followed_->camera_history().empty()) {
+    keys.clear();
+    for (const PovCamera& now : followed_->camera_history())
+      keys.push_back(camera_key(now, times_[keys.size()]));
+  }
+  scene_.cameras.back().keys = few_camera_keys(keys, box_of(scene_).diagonal());
 }
 
 }  // namespace strad

@@ -137,7 +137,7 @@ PovCamera PovSceneReader::camera_block() {
   while (!in_.take_if("}")) camera_item(&camera, &aim);
   // The angle of a panorama may be 180 degrees or more. Such cameras are refused only if they are used.
   if (aim.angle) set_angle(&camera, camera.problem ? 90 : *aim.angle);
-  if (aim.look_at) turn_to(&camera, *aim.look_at);
+  if (aim.look_at) turn_to(&camera, *aim.look_at), camera.look_at = aim.look_at;
   camera.location = aim.moved.point(camera.location);
   camera.direction = aim.moved.direction(camera.direction);
   camera.right = aim.moved.direction(camera.right);

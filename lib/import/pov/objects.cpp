@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "import/pov/scene_reader.h"
 #include "import/pov/shapes.h"
-#include "import/pov/unique_names.h"
+#include "import/unique_names.h"
 
 namespace strad {
 namespace {
@@ -27,6 +27,7 @@ bool is_unknown_object(std::string_view word) {
 void add_child(PovObject* object, UniqueNames* names, const PovObject& child, const std::string& name) {
   const auto first_point = static_cast<uint32_t>(object->points.size());
   const auto first_uv = static_cast<uint32_t>(object->uvs.size());
+  for (const uint32_t shape : child.shapes) object->shapes.push_back(first_point + shape);
   object->points.insert(object->points.end(), child.points.begin(), child.points.end());
   object->uvs.insert(object->uvs.end(), child.uvs.begin(), child.uvs.end());
   std::vector<uint32_t> part_of(child.parts.size(), 0);
@@ -97,6 +98,7 @@ void PovSceneReader::statement() {
     placed_.push_back({name, std::move(made)});
   } else if (in_.take_if("light_source")) {
     PovObject carrier;
+    carrier.place = at;
     carrier.lights.push_back(light_block());
     placed_.push_back({"light_source", std::move(carrier)});
   } else if (in_.take_if("camera")) {
@@ -178,6 +180,7 @@ PovObject PovSceneReader::shape(const std::string& kind, std::string* name) {
 PovObject PovSceneReader::union_shape() {
   PovObject made;
   made.compound = true;
+  made.shapes.clear();
   UniqueNames names;
   while (in_.peek().kind == PovKind::kWord) {
     if (is_object(in_.peek().text) || is_unknown_object(in_.peek().text)) {

@@ -1,6 +1,9 @@
 // POV-Ray scene files, as scenes.
 #include "import/pov/pov.h"
 
+#include <cstdio>
+
+#include "base/error.h"
 #include "base/text.h"
 #include "import/pov/build.h"
 #include "import/pov/scene_reader.h"
@@ -13,18 +16,64 @@ bool is_left_handed(const PovCamera& camera) {
   return dot(cross(camera.direction, camera.up), camera.right) < 0;
 }
 
+std::string frame_words(const PovRun& run) {
+  char clock[32];
+  std::snprintf(clock, sizeof clock, "%.6g", run.clock);
+  return "frame " + std::to_string(run.frame_number) + " (clock " + clock + ")";
+}
+
+PovFrame read_frame(const std::string& path, const ImportOptions& options, const PovRun& run, PovFiles* files,
+                    ImportReport* report) {
+  PovSceneReader reader(options, run, files, report);
+  reader.read(path);
+  return {std::move(reader.placed()), reader.camera()};
+}
+
+// Follows the scene through all frames after the first.
+void follow(const std::string& path, const ImportOptions& options, const PovAnimation& animation,
+            PovFiles* files, PovFollowed* followed, const Progress& progress) {
+  const int count = animation.last - animation.first + 1;
+  for (int frame = animation.first + 1; frame <= animation.last; ++frame) {
+    const PovRun run = run_of(animation, frame);
+    if (progress) progress(static_cast<double>(frame - animation.first) / count, "frames");
+    ImportReport again;  // of what the first frame's has told
+    PovFrame now;
+    try {
+      now = read_frame(path, options, run, files, &again);
+    } catch (const BadInput& error) {
+      throw BadInput(std::string(error.what()) + ", in " + frame_words(run));
+    }
+    followed->add_frame(now, frame_words(run));
+  }
+}
+
 }  // namespace
 
-Scene import_pov(const std::string& path, const ImportOptions& options, ImportReport* report) {
-  PovSceneReader reader(options, report);
-  reader.read(path);
-  const bool mirror = !reader.camera() || is_left_handed(*reader.camera());
-  PovBuilder builder(options, report, mirror);
-  for (const auto& [name, object] : reader.placed()) builder.add_object(name, object);
-  for (const auto& [name, object] : reader.placed())
-    for (const PovLight& light : object.lights) builder.add_light(light);
-  if (reader.camera()) builder.add_camera(*reader.camera());
-  return finish_import(builder.take(), options, text_name(path));
+Scene import_pov(const std::string& path, const ImportOptions& options, ImportReport* report,
+                 const PovAnimation& animation, const Progress& progress) {
+  PovFiles files;
+  const PovFrame first = read_frame(path, options, run_of(animation, animation.first), &files, report);
+  const bool mirror = !first.camera || is_left_handed(*first.camera);
+  std::optional<PovFollowed> followed;
+  std::vector<double> times;
+  if (animation.moves) {
+    followed.emplace(first, mirror, options, report);
+    follow(path, options, animation, &files, &*followed, progress);
+    for (int frame = animation.first; frame <= animation.last; ++frame)
+      times.push_back((frame - animation.first) / animation.rate);
+  }
+  PovBuilder builder(options, report, mirror, followed ? &*followed : nullptr, times);
+  for (size_t i = 0; i < first.placed.size(); ++i) builder.add_object(first.placed[i], i);
+  for (size_t i = 0; i < first.placed.size(); ++i)
+    for (size_t l = 0; l < first.placed[i].object.lights.size(); ++l)
+      builder.add_light(first.placed[i], i, l);
+  if (first.camera) builder.add_camera(*first.camera);
+  Scene scene = builder.take();
+  if (animation.moves) {
+    scene.rate = animation.rate;
+    scene.end = static_cast<double>(times.size()) / animation.rate;
+  }
+  return finish_import(std::move(scene), options, text_name(path));
 }
 
 }  // namespace strad

@@ -26,18 +26,15 @@ struct PovMeshLists {
 class PovSceneReader : private PovStatements {
  public:
   // The arguments must outlive the reader.
-  PovSceneReader(const ImportOptions& options, ImportReport* report)
-      : options_(options), report_(report), in_(options, report, this) {}
+  PovSceneReader(const ImportOptions& options, const PovRun& run, PovFiles* files, ImportReport* report)
+      : options_(options), report_(report), in_(options, run, files, report, this) {}
 
-  struct Placed {
-    std::string name;  // of its declaration, else its kind, such as "sphere"
-    PovObject object;
-  };
+  using Placed = PovPlaced;
 
   // Reads the file at `path`. Throws IoError or BadInput.
   void read(const std::string& path);
 
-  const std::vector<Placed>& placed() const { return placed_; }
+  std::vector<Placed>& placed() { return placed_; }
   const std::optional<PovCamera>& camera() const { return camera_; }
 
  private:

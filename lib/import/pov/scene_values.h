@@ -101,6 +101,8 @@ struct PovObject {
   std::vector<Vec2> uvs;
   std::vector<PovFacet> facets;
   std::vector<std::string> parts{""};  // names of its parts; "": the object itself
+  // Where the points of each simple shape in it begin, up to the next one's: shapes may move apart.
+  std::vector<uint32_t> shapes{0};
   std::vector<PovLight> lights;
   std::optional<PovPlane> plane;
   std::vector<PovProblem> problems;  // what is missing from it
@@ -109,9 +111,16 @@ struct PovObject {
   PovPlace place;
 };
 
+// An object that stands by itself in a file.
+struct PovPlaced {
+  std::string name;  // of its declaration, else its kind, such as "sphere"
+  PovObject object;
+};
+
 struct PovCamera {
   std::string name;
   Vec3 location, direction{0, 0, 1}, right{4.0 / 3, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
+  std::optional<Vec3> look_at;  // as the file gives it; later statements may have turned the camera away
   PovPlace place;
   std::optional<PovProblem> problem;
 };

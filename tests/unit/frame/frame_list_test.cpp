@@ -25,6 +25,7 @@ TEST(FrameList, Ranges) {
   EXPECT_EQ(numbers("3:6"), (std::vector<int>{3, 4, 5, 6}));
   EXPECT_EQ(numbers("1:10:4"), (std::vector<int>{1, 5, 9}));
   EXPECT_EQ(numbers("1:250").size(), 250u);
+  EXPECT_EQ(numbers("1,5,10:20:4,2"), (std::vector<int>{1, 5, 10, 14, 18, 2}));
 }
 
 TEST(FrameList, TimesOfFrames) {

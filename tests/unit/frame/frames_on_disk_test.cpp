@@ -30,13 +30,5 @@ TEST(FramesOnDisk, AreFoundInOrder) {
   fs::remove_all(folder);
 }
 
-TEST(FrameNumbers, AreReadInOrder) {
-  EXPECT_EQ(parse_frame_numbers("-f", "61"), (std::vector<int>{61}));
-  EXPECT_EQ(parse_frame_numbers("-f", "1:10:4,298:300,7"), (std::vector<int>{1, 5, 9, 298, 299, 300, 7}));
-  for (const char* text :
-       {"", "a", "1:", ":2", "2:1", "1:5:0", "1:5:-1", "-1", "1:2:3:4", "1,,2", "1,", "1.5", "99999999999"})
-    EXPECT_THROW(parse_frame_numbers("-f", text), BadInput) << text;
-}
-
 }  // namespace
 }  // namespace strad

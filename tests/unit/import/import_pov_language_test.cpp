@@ -18,7 +18,7 @@ struct Coin {
 // A language of coins: `coin { VALUE }`.
 class Coins : public PovStatements {
  public:
-  explicit Coins(const std::string& path) : in(options, &report, this) { in.open(path); }
+  explicit Coins(const std::string& path) : in(options, run, &files, &report, this) { in.open(path); }
 
   std::any describe(std::string_view word) override {
     if (word != "coin") return {};
@@ -37,6 +37,8 @@ class Coins : public PovStatements {
   }
 
   SkipOptions options;
+  PovRun run;
+  PovFiles files;
   ImportReport report;
   PovInterpreter in;
   int default_blocks = 0;

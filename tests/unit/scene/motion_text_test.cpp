@@ -27,6 +27,16 @@ TEST(Motion, time_and_rate) {
   EXPECT_EQ(scene.rate, 12.5);
 }
 
+TEST(Motion, a_rate_may_be_a_quotient) { EXPECT_EQ(compiled("rate 24000/1001\n").rate, 24000.0 / 1001); }
+
+TEST(Motion, angles_may_be_in_radians) {
+  const Scene scene = compiled(
+      "body b\n  key 0 turn 0.7rad\nspot s\n  cone 0.1rad 90\n  key 0 at 0 0 0 aim 1 0 0 intensity 1 1 1\n");
+  EXPECT_EQ(scene.bodies[1].keys[0].turn, 0.7);
+  EXPECT_EQ(scene.spots[0].inner, 0.1);
+  EXPECT_EQ(scene.spots[0].outer, 90 * kDegree);
+}
+
 TEST(Motion, a_body_with_all_settings) {
   const Scene scene = compiled(
       "body rail\n  parts floor\n"

@@ -1,6 +1,5 @@
 // POV-Ray's directives: what is declared, included, called.
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
 #include "base/error.h"
@@ -68,9 +67,11 @@ void PovInterpreter::obey_declare(bool local) {
 }
 
 std::string PovInterpreter::found_include(const std::string& name) const {
-  const std::array<std::string, 5> candidates{
-      path_beside(cursors_.back().file->path, name), path_beside(cursors_.front().file->path, name), name,
-      "/usr/share/povray-3.7/include/" + name, "/usr/local/share/povray-3.7/include/" + name};
+  std::vector<std::string> candidates{path_beside(cursors_.back().file->path, name),
+                                      path_beside(cursors_.front().file->path, name), name};
+  for (const std::string& folder : run_.library_path) candidates.push_back(folder + "/" + name);
+  for (const char* folder : {"/usr/share/povray-3.7/include/", "/usr/local/share/povray-3.7/include/"})
+    candidates.push_back(folder + name);
   for (const std::string& path : candidates)
     if (std::filesystem::is_regular_file(path)) return path;
   return "";

@@ -23,25 +23,7 @@ PovNumbers by_parts(const PovNumbers& a, const PovNumbers& b, Operation operatio
 }  // namespace
 
 std::optional<PovNumbers> PovInterpreter::constant(std::string_view word) {
-  static const std::map<std::string_view, double> kNumbers{{"pi", kPi},
-                                                           {"true", 1},
-                                                           {"false", 0},
-                                                           {"on", 1},
-                                                           {"off", 0},
-                                                           {"yes", 1},
-                                                           {"no", 0},
-                                                           {"clock", 0},
-                                                           {"clock_delta", 0},
-                                                           {"clock_on", 0},
-                                                           {"version", 3.7},
-                                                           {"frame_number", 1},
-                                                           {"image_width", 640},
-                                                           {"image_height", 480},
-                                                           {"initial_frame", 1},
-                                                           {"final_frame", 1},
-                                                           {"initial_clock", 0},
-                                                           {"final_clock", 0}};
-  if (const auto found = kNumbers.find(word); found != kNumbers.end()) return number_of(found->second);
+  if (const auto found = numbers_.find(word); found != numbers_.end()) return number_of(found->second);
   if (word.size() != 1) return {};
   const size_t axis = std::string_view("xyzt").find(word[0]);
   if (axis == std::string_view::npos && word != "u" && word != "v") return {};

@@ -11,9 +11,38 @@ void refuse(const PovProblem& problem, const SkipOptions& options, ImportReport*
   report->add(problem.what + " left out", problem.place.file, problem.place.line);
 }
 
+PovInterpreter::PovInterpreter(const SkipOptions& options, const PovRun& run, PovFiles* files,
+                               ImportReport* report, PovStatements* statements)
+    : options_(options), run_(run), files_(files), report_(report), statements_(statements) {
+  numbers_ = {{"pi", kPi},
+              {"true", 1},
+              {"false", 0},
+              {"on", 1},
+              {"off", 0},
+              {"yes", 1},
+              {"no", 0},
+              {"clock", run.clock},
+              {"clock_delta", run.clock_delta},
+              {"clock_on", run.clock_on ? 1 : 0},
+              {"version", 3.7},
+              {"frame_number", run.frame_number},
+              {"image_width", run.image_width},
+              {"image_height", run.image_height},
+              {"initial_frame", run.initial_frame},
+              {"final_frame", run.final_frame},
+              {"initial_clock", run.initial_clock},
+              {"final_clock", run.final_clock}};
+  for (const auto& [name, value] : run.declared) {
+    if (const auto* number = std::get_if<double>(&value))
+      globals_.insert_or_assign(name, number_of(*number));
+    else
+      globals_.insert_or_assign(name, std::get<std::string>(value));
+  }
+}
+
 void PovInterpreter::open(const std::string& path) {
   if (cursors_.size() >= kMaxNesting) fail("includes and macros are nested too deep");
-  std::shared_ptr<const PovFile>& file = files_[path];
+  std::shared_ptr<const PovFile>& file = (*files_)[path];
   if (!file) file = read_pov_file(path);
   cursors_.emplace_back().file = file;
 }

@@ -9,6 +9,7 @@
 
 #include "base/rgb.h"
 #include "base/vec.h"
+#include "import/pov/language/run.h"
 #include "import/pov/language/statements.h"
 #include "import/pov/language/values.h"
 #include "import/report.h"
@@ -18,8 +19,8 @@ namespace strad {
 class PovInterpreter {
  public:
   // The arguments must outlive the interpreter.
-  PovInterpreter(const SkipOptions& options, ImportReport* report, PovStatements* statements)
-      : options_(options), report_(report), statements_(statements) {}
+  PovInterpreter(const SkipOptions& options, const PovRun& run, PovFiles* files, ImportReport* report,
+                 PovStatements* statements);
   PovInterpreter(const PovInterpreter&) = delete;
   PovInterpreter& operator=(const PovInterpreter&) = delete;
 
@@ -153,10 +154,11 @@ class PovInterpreter {
   double random(size_t stream);
 
   const SkipOptions& options_;
+  const PovRun& run_;
+  PovFiles* files_;  // kept because tokens point into their texts
   ImportReport* report_;
   PovStatements* statements_;
-  std::map<std::string, std::shared_ptr<const PovFile>>
-      files_;  // by path; kept because tokens point into their texts
+  std::map<std::string_view, double> numbers_;  // that have names of their own, such as pi and clock
   std::vector<Cursor> cursors_;
   std::map<std::string, PovValue, std::less<>> globals_;
   std::vector<uint32_t> random_states_;

@@ -1,4 +1,4 @@
-#include "frame/file_pattern.h"
+#include "base/file_pattern.h"
 
 #include <cctype>
 

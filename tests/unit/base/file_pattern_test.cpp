@@ -1,5 +1,5 @@
 // File names with a frame number in them.
-#include "frame/file_pattern.h"
+#include "base/file_pattern.h"
 
 #include <gtest/gtest.h>
 
