@@ -86,19 +86,19 @@ Rgb Checker::estimate(const Instant& instant, const Sight& sight, uint64_t key, 
 
 void Checker::measure(const Slab& slab, size_t i, CheckSample* sample) const {
   const CheckPoint& point = sample->point;
-  const LitInstant lit = probe_.lit_at(point.time);
+  const LightsAtInstant lights = probe_.lights_at(point.time);
   const ProbePoint& place = point.place;
-  const Sight sight = probe_.surfaces().at(lit.instant, place.polygon, place.front, place.rest_point);
+  const Sight sight = probe_.surfaces().at(lights.instant, place.polygon, place.front, place.rest_point);
   const Rgb reflected = static_cast<float>(1 / kPi) * sight.reflectance;
-  sample->solution = reflected * probe_.at(slab, i, lit).irradiance;
-  // One ray to each spotlight knows its light exactly.
+  sample->solution = reflected * probe_.at(slab, i, lights).irradiance;
+  // One shadow ray to each spotlight makes its light exact.
   SpotRays rays;
-  const Rgb spots = spots_irradiance(probe_.tracer(), cones_, lit.instant, sight.point, &rays);
+  const Rgb spots = spots_irradiance(probe_.tracer(), cones_, lights.instant, sight.point, &rays);
   const uint32_t parts = kCheckEstimates * (point.meshed ? 1 : kUnmeshedPaths);
   const uint32_t paths = (options_.paths + parts - 1) / parts;
   for (uint64_t e = 0; e < kCheckEstimates; ++e) {
     const uint64_t key = hash_of(hash_of(options_.seed, i), e);
-    sample->estimates[e] = reflected * (spots + estimate(lit.instant, sight, key, paths));
+    sample->estimates[e] = reflected * (spots + estimate(lights.instant, sight, key, paths));
   }
 }
 

@@ -9,7 +9,7 @@
 namespace strad {
 namespace {
 
-// Fewer tell no interval.
+// Of fewer points no confidence interval is given.
 constexpr size_t kFewest = 10;
 constexpr int kTenths = 10;
 constexpr size_t kWorst = 10;

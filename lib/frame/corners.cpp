@@ -63,13 +63,13 @@ void Corners::take_samples() {
 }
 
 // Are all rays to the emitter group from the corner and those around it free, or all blocked?
-bool Corners::neighbours_agree(int x, int y, size_t light) const {
+bool Corners::neighbours_agree(int x, int y, size_t group) const {
   bool any_free = false, any_blocked = false;
   for (int v = y - kDetect; v <= y + kDetect; ++v) {
     for (int u = x - kDetect; u <= x + kDetect; ++u) {
-      const GroupShare& share = shares(u, v)[light];
+      const GroupShare& share = shares(u, v)[group];
       const ShadowRays& shadow = share.shadow;
-      if (shadow.rays == 0 && share.irradiance > 0) return false;  // none of them says anything
+      if (shadow.rays == 0 && share.irradiance > 0) return false;  // nothing is known of it
       any_free |= shadow.free > 0;
       any_blocked |= shadow.free < shadow.rays;
     }
@@ -82,7 +82,7 @@ bool Corners::neighbours_agree(int x, int y, size_t light) const {
 void Corners::refine_shadows() {
   struct Uneven {
     int x, y;
-    size_t light;
+    size_t group;
   };
   std::vector<Uneven> uneven;
   for (int y = top_ + kDetect; y + kDetect < bottom_; ++y) {
@@ -92,10 +92,10 @@ void Corners::refine_shadows() {
       }
     }
   }
-  for (const auto& [x, y, light] : uneven) {
+  for (const auto& [x, y, group] : uneven) {
     Corner& c = corners_[index(x, y)];
     c.even = false;
-    add_shadow_rays(view_, 0, c.sample, light, corner_points(x, y, view_.lamp_samples), &shares(x, y)[light]);
+    add_shadow_rays(view_, 0, c.sample, group, corner_points(x, y, view_.lamp_samples), &shares(x, y)[group]);
   }
 }
 

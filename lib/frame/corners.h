@@ -47,7 +47,7 @@ class Corners {
   GroupShare* shares(int x, int y) { return shares_.data() + index(x, y) * groups_; }
   void take_samples();
   void refine_shadows();
-  bool neighbours_agree(int x, int y, size_t light) const;
+  bool neighbours_agree(int x, int y, size_t group) const;
   bool all_even_around(int x, int y) const;
 
   const FrameView& view_;

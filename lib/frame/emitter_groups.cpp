@@ -38,7 +38,8 @@ Vec3 centre_of(const Scene& scene, const Polygon& polygon) {
 }
 
 // Do two polygons with a common edge face each other, as walls of a room do? Then they are lights apart:
-// close to one of them its part is found exactly, and rays to both together would say less of either.
+// close to one of them its irradiance is found exactly, and rays shared with the other would make that
+// noisier.
 bool face_each_other(const Scene& scene, const Polygon& a, const Polygon& b) {
   const Vec3 normal = polygon_normal(scene, a);
   return dot(normal, polygon_normal(scene, b)) < kCosSharp &&

@@ -10,7 +10,7 @@
 
 namespace strad {
 
-// What one point tells; means over the three channels, W / (sr m^2).
+// Solution and estimates at one point; means over the three channels, W / (sr m^2).
 struct PointError {
   double weight = 1;
   double solution = 0;

@@ -1,5 +1,5 @@
-// What may be seen of an emitter group of many facets from afar, by direction: so that light from it costs
-// what its outline needs, not what its facets count.
+// What may be seen of an emitter group of many facets from afar, by direction. So the cost of its light grows
+// with the edges of its outline, not with the number of its facets.
 #pragma once
 
 #include <cstdint>
@@ -27,13 +27,13 @@ struct GroupView {
   std::vector<Plane> doubtful;  // of facets that emit to some points of the cone only
   std::vector<ViewEdge> edges;
   std::vector<uint32_t> facets;  // all that emit to some point of it, in the order of the group
-  std::vector<double> up_to;     // running sum over them of about what each gives
+  std::vector<double> up_to;     // per entry of `facets`: estimated irradiance from it and all before it
 };
 
 class GroupViews {
  public:
   GroupViews() = default;
-  // Of a group with facets enough for views to pay; of others there are none.
+  // Only of a group with so many facets that views save time; others have none.
   explicit GroupViews(const FacetMesh& group);
 
   // The view of the group from `point`, rest; nullptr where there is none, or the point is too near.

@@ -11,11 +11,12 @@
 namespace strad {
 namespace {
 
+// Where the edge from a to b crosses the horizon of the point, the plane of the surface there.
 Vec3 on_horizon(Vec3 a, Vec3 b, double height_a, double height_b) {
   return lerp(a, b, height_a / (height_a - height_b));
 }
 
-// The same for the part of the edge above the horizon.
+// edge_irradiance() of the part of the edge above the horizon.
 double clipped_edge(Vec3 a, Vec3 b, double height_a, double height_b, Vec3 normal) {
   if (height_a <= 0 && height_b <= 0) return 0;
   if (height_a <= 0) a = on_horizon(a, b, height_a, height_b);
@@ -41,7 +42,7 @@ double horizon_edge(const LitGroup& group, size_t facet, const SurfacePoint& poi
   return cut ? edge_irradiance(sets, rises, point.normal) : 0;
 }
 
-// m: mean height of a facet above the horizon, corners below counted as 0.
+// Mean height of a facet above the horizon, m; corners below it count as 0.
 double height_above(const LitGroup& group, size_t facet, const GroupSight& sight) {
   const int count = group.facets[facet].count;
   double sum = 0;
@@ -50,7 +51,7 @@ double height_above(const LitGroup& group, size_t facet, const GroupSight& sight
   return sum / count;
 }
 
-// Square of the distance from its centre within which a facet is weighed exactly: 4 of its radii.
+// Square of the distance from its centre within which its irradiance is computed exactly: 4 of its radii.
 double near_distance2(const Emitter& facet) {
   double radius2 = 0;
   for (int c = 0; c < facet.count; ++c)
@@ -62,9 +63,10 @@ bool is_near(const LitGroup& group, size_t facet, Vec3 point) {
   return length2(group.facets[facet].centre - point) < group.near2[facet];
 }
 
-// About what each facet gives. From afar: from its middle, with its mean height above the horizon, so that
-// none is left out of which some is seen, and never more than a disc of its area would. A facet close by may
-// give much more than that, and too few rays would go to it: it is weighed exactly.
+// Estimates the irradiance from each facet, and sums it up. From afar: from its middle, with its mean height
+// above the horizon, so that none is left out of which some is seen, and never more than a disc of its area
+// would give. A facet close by may give much more than that, and too few rays would go to it: its irradiance
+// is computed exactly.
 void weigh_facets(const LitGroup& group, const SurfacePoint& point, GroupSight* sight) {
   const size_t count = group.facets.size();
   sight->up_to.resize(count);
@@ -77,7 +79,7 @@ void weigh_facets(const LitGroup& group, const SurfacePoint& point, GroupSight* 
     const double distance2 = tx * tx + ty * ty + tz * tz + area[f] * (1 / kPi);
     const double height = tx * n.x + ty * n.y + tz * n.z;
     const double before = distance[f] > 0 ? distance[f] : 0;
-    weight[f] = before * (sight->sets ? 1 : height) * area[f] / (distance2 * distance2);
+    weight[f] = before * (sight->below_horizon ? 1 : height) * area[f] / (distance2 * distance2);
   }
   double total = 0;
   for (size_t f = 0; f < count; ++f) {
@@ -85,14 +87,14 @@ void weigh_facets(const LitGroup& group, const SurfacePoint& point, GroupSight* 
       const Emitter& facet = group.facets[f];
       if (is_near(group, f, p))
         weight[f] = unit_irradiance(p, n, facet.corners.data(), facet.count);
-      else if (sight->sets)
+      else if (sight->below_horizon)
         weight[f] *= height_above(group, f, *sight);
     }
     weight[f] = total += weight[f];
   }
 }
 
-// A point of a facet, and the irradiance of all of the facet if all of it were like that point.
+// A point of a facet, and the irradiance from the facet if all of it gave as much as that point.
 struct FacetPoint {
   Vec3 position;
   double irradiance;
@@ -129,7 +131,7 @@ FacetPoint facet_point(const LitGroup& group, size_t f, const GroupSight& sight,
   const auto& corners = group.group->corners[f];
   const auto height = [&](int c) { return sight.height[corners[static_cast<size_t>(c % facet.count)]]; };
   bool cut = false;
-  for (int c = 0; sight.sets && c < facet.count; ++c) cut |= !(height(c) > 0);
+  for (int c = 0; sight.below_horizon && c < facet.count; ++c) cut |= !(height(c) > 0);
   const bool by_angle = !sight.view && is_near(group, f, point.position);
   if (!cut && by_angle) return point_by_angle(facet, facet.corners.data(), facet.count, point, at);
   if (!cut) {
@@ -166,7 +168,7 @@ bool see_from_afar(const LitGroup& group, const SurfacePoint& point, GroupSight*
   sight->view = views.from(sight->position);
   if (!sight->view) return false;
   sight->normal = rotate(rest_from_world, point.normal);
-  sight->sets = false;
+  sight->below_horizon = false;
   if (!(dot(views.centre() - sight->position, sight->normal) > views.radius())) {
     sight->view = nullptr;
     return false;
@@ -192,17 +194,17 @@ double irradiance_from_afar(const LitGroup& group, const GroupSight& sight) {
 
 }  // namespace
 
-LitInstant lit_instant(const Scene& scene, const std::vector<EmitterGroup>& groups, double time) {
-  LitInstant lit;
-  lit.instant = instant_at(scene, time);
-  lit.cones = cones_of(scene.spots);
+LightsAtInstant lights_at(const Scene& scene, const std::vector<EmitterGroup>& groups, double time) {
+  LightsAtInstant lights;
+  lights.instant = instant_at(scene, time);
+  lights.cones = cones_of(scene.spots);
   for (const EmitterGroup& group : groups) {
-    LitGroup& at_time = lit.groups.emplace_back();
+    LitGroup& at_time = lights.groups.emplace_back();
     at_time.group = &group;
-    at_time.world_from_rest = lit.instant.world_from_body[group.body];
-    at_time.radiance = lit.instant.glow[group.material] * scene.materials[group.material].emission;
+    at_time.world_from_rest = lights.instant.world_from_body[group.body];
+    at_time.radiance = lights.instant.glow[group.material] * scene.materials[group.material].emission;
     for (const uint32_t p : group.polygons) {
-      const Emitter facet = emitter_at(scene, p, lit.instant.world_from_body);
+      const Emitter facet = emitter_at(scene, p, lights.instant.world_from_body);
       at_time.facets.push_back(facet);
       at_time.centres.add(facet.centre);
       at_time.normals.add(facet.normal);
@@ -211,9 +213,9 @@ LitInstant lit_instant(const Scene& scene, const std::vector<EmitterGroup>& grou
       at_time.near2.push_back(near_distance2(facet));
     }
     for (const Vec3 rest : group.vertices)
-      at_time.vertices.add(lit.instant.world_from_body[group.body] * rest);
+      at_time.vertices.add(lights.instant.world_from_body[group.body] * rest);
   }
-  return lit;
+  return lights;
 }
 
 void see_group(const LitGroup& group, const SurfacePoint& point, GroupSight* sight) {
@@ -235,7 +237,7 @@ void see_group(const LitGroup& group, const SurfacePoint& point, GroupSight* sig
     height[v] = (x[v] - p.x) * n.x + (y[v] - p.y) * n.y + (z[v] - p.z) * n.z;
     lowest = std::min(lowest, height[v]);
   }
-  sight->sets = !(lowest > 0);
+  sight->below_horizon = !(lowest > 0);
 }
 
 double unoccluded_irradiance(const LitGroup& group, const SurfacePoint& point, const GroupSight& sight) {
@@ -249,7 +251,7 @@ double unoccluded_irradiance(const LitGroup& group, const SurfacePoint& point, c
                      sight.height[edge.from], sight.height[edge.to], point.normal);
     sum += left ? along : -along;
   }
-  for (size_t f = 0; sight.sets && f < group.facets.size(); ++f)
+  for (size_t f = 0; sight.below_horizon && f < group.facets.size(); ++f)
     if (sight.distance[f] > 0) sum += horizon_edge(group, f, point, sight);
   return std::max(0.0, -0.5 * sum);  // outlines run against the clock as seen from the point
 }

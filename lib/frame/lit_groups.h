@@ -29,28 +29,30 @@ struct LitGroup {
   // Per facet: its plane is normal . p = level.
   Vec3Columns centres, normals;
   std::vector<double> levels, areas;
-  std::vector<double> near2;  // m^2: squared distance from its centre within which it is unlike a point
+  std::vector<double>
+      near2;  // m^2: squared distance from its centre within which it is too large for a point
 };
 
 // The lights of an instant, prepared for shadow rays.
-struct LitInstant {
+struct LightsAtInstant {
   Instant instant;
   std::vector<SpotCone> cones;  // per spotlight
   std::vector<LitGroup> groups;
 };
 // Keeps pointers to `groups`.
-LitInstant lit_instant(const Scene& scene, const std::vector<EmitterGroup>& groups, double time);
+LightsAtInstant lights_at(const Scene& scene, const std::vector<EmitterGroup>& groups, double time);
 
 // A group as seen from a point.
 struct GroupSight {
-  std::vector<double> distance;  // m, per facet: of the point before its plane; and -1 for kNone
-  std::vector<double> height;    // m, per vertex: above the horizon of the point
-  bool sets = false;             // is a vertex below the horizon?
-  std::vector<double> up_to;     // running sum over the facets of about what each gives
-  // Where the whole group is far and above the horizon its view replaces all of the above.
+  // m, per facet: how far the point is before its plane. One more, -1, is for edges with a single facet.
+  std::vector<double> distance;
+  std::vector<double> height;  // m, per vertex: above the horizon of the point, the plane of its surface
+  bool below_horizon = false;  // is a vertex below it?
+  std::vector<double> up_to;   // per facet: estimated irradiance from it and all before it
+  // Of a group that is far away and all above the horizon: its view, which replaces all of the above.
   const GroupView* view = nullptr;
   Vec3 position, normal;        // of the point, rest
-  std::vector<uint8_t> before;  // by ViewEdge::left and right
+  std::vector<uint8_t> before;  // by ViewEdge::left or right: does that facet emit to the point?
 };
 // Overwrites `sight`, whose memory is used again.
 void see_group(const LitGroup& group, const SurfacePoint& point, GroupSight* sight);

@@ -12,7 +12,7 @@ namespace {
 // Points of emitters among which one is chosen for a shadow ray.
 constexpr int kCandidates = 8;
 // Paths have at least this many reflections. Then Russian roulette ends them (Arvo & Kirk 1990).
-constexpr int kWhole = 2;
+constexpr int kSureReflections = 2;
 // Then at most this fraction goes on: between white surfaces, or inside a closed body without light, a path
 // would never end.
 constexpr float kMostSurvival = 0.95f;
@@ -134,7 +134,7 @@ Rgb Paths::but_spots(const Instant& instant, const SurfacePoint& point, Point2 f
     if (sight.point.polygon == kNone) return sum;
     if (!is_black(sight.emission)) sum += throughput * met_emitter(from, direction, sight);
     throughput = throughput * sight.reflectance;
-    if (reflections > kWhole) {
+    if (reflections > kSureReflections) {
       const float survival = std::min(kMostSurvival, max_channel(throughput));
       if (!(random->next() < survival)) return sum;
       throughput = (1 / survival) * throughput;

@@ -7,18 +7,20 @@ namespace strad {
 namespace {
 
 // Variance of the visible fraction that n well-spread rays find: an edge cuts about n^(1/2) of the n cells
-// that they stand for, each of which says 0 or 1 in place of a fraction, so that it falls as n^(-3/2).
+// that they stand for. In each of these a ray finds 0 or 1 in place of a fraction. So the variance falls as
+// n^(-3/2).
 // Measured in penumbrae of rectangles where half is visible.
 constexpr double kVariance = 0.12;
 // It is less where more or less than half is visible, but not less than this part.
 constexpr double kLeastVariance = 0.2;
 
-// Of each size of the window, from the widest: it is used in full where what is off the plane has less than
-// the first number times that variance, and not at all beyond the second. Smaller ones tell less surely.
-struct Trust {
+// By size of the window, from the widest: the fit of a plane is used in full where its residual is less than
+// `full` times that variance, and not at all where it is more than `none` times. Residuals over smaller
+// windows are less certain, so their limits are wider.
+struct ResidualLimits {
   double full, none;
 };
-constexpr Trust kTrust[kReach] = {{1.5, 3}, {2, 5}, {4, 10}};
+constexpr ResidualLimits kLimits[kReach] = {{1.5, 3}, {2, 5}, {4, 10}};
 
 // A plane through fractions: its value in the middle of the window, and the mean square of what is off it.
 struct PlaneFit {
@@ -79,7 +81,7 @@ float smooth_fraction(const PenumbraWindow& window, uint32_t rays) {
     const PlaneFit fit = fit_plane(window, kReach - k);
     const double off = fit.residual / expected_variance(fit.middle, rays);
     const double share =
-        left * std::clamp((kTrust[k].none - off) / (kTrust[k].none - kTrust[k].full), 0.0, 1.0);
+        left * std::clamp((kLimits[k].none - off) / (kLimits[k].none - kLimits[k].full), 0.0, 1.0);
     value += share * fit.middle;
     left -= share;
   }

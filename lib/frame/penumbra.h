@@ -12,7 +12,7 @@ constexpr int kWindow = 2 * (kReach + 1);  // corners a side, the pixel in the m
 // Visible fractions at corners, row by row.
 struct PenumbraWindow {
   std::array<float, kWindow * kWindow> fraction;
-  std::array<bool, kWindow * kWindow> known;  // on the pixel's surface, with rays that say something
+  std::array<bool, kWindow * kWindow> known;  // on the pixel's surface, with at least one shadow ray
 };
 
 // In [0, 1]: the mean over the widest part of the window over which the fractions are a plane but for the

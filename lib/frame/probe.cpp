@@ -105,38 +105,38 @@ Rgb Probe::solved(const Slab& slab, size_t i, double time) const {
   return sum;
 }
 
-Rgb Probe::direct(const LitInstant& lit, const SurfacePoint& point) const {
+Rgb Probe::direct(const LightsAtInstant& lights, const SurfacePoint& point) const {
   SpotRays spot_rays;
-  Rgb sum = spots_irradiance(tracer_, lit.cones, lit.instant, point, &spot_rays);
+  Rgb sum = spots_irradiance(tracer_, lights.cones, lights.instant, point, &spot_rays);
   GroupSight seen;
-  for (const LitGroup& group : lit.groups) {
+  for (const LitGroup& group : lights.groups) {
     if (is_black(group.radiance)) continue;
     see_group(group, point, &seen);
     const double irradiance = unoccluded_irradiance(group, point, seen);
     ShadowRays shadow;
-    add_shadow_rays(tracer_, lit.instant, group, point, irradiance, {0, options_.shadow_rays, 0}, &seen,
+    add_shadow_rays(tracer_, lights.instant, group, point, irradiance, {0, options_.shadow_rays, 0}, &seen,
                     &shadow);
     sum += static_cast<float>(irradiance) * free_fraction(shadow) * group.radiance;
   }
   return sum;
 }
 
-ProbeValue Probe::at(const Slab& slab, size_t i, const LitInstant& lit) const {
+ProbeValue Probe::at(const Slab& slab, size_t i, const LightsAtInstant& lights) const {
   const ProbePoint& point = points_[i];
-  const Sight sight = surfaces_.at(lit.instant, point.polygon, point.front, point.rest_point);
+  const Sight sight = surfaces_.at(lights.instant, point.polygon, point.front, point.rest_point);
   ProbeValue value;
-  value.irradiance = solved(slab, i, lit.instant.time);
-  if (options_.direct == ProbeDirect::kPoint) value.irradiance += direct(lit, sight.point);
+  value.irradiance = solved(slab, i, lights.instant.time);
+  if (options_.direct == ProbeDirect::kPoint) value.irradiance += direct(lights, sight.point);
   value.radiance = sight.emission + static_cast<float>(1 / kPi) * sight.reflectance * value.irradiance;
   return value;
 }
 
 std::vector<ProbeValue> Probe::at(const Slab& slab, double time) {
   prepare(slab);
-  const LitInstant lit = lit_at(time);
+  const LightsAtInstant lights = lights_at(time);
   std::vector<ProbeValue> values(points_.size());
   parallel_for(values.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) values[i] = at(slab, i, lit);
+    for (size_t i = begin; i < end; ++i) values[i] = at(slab, i, lights);
   });
   return values;
 }

@@ -61,17 +61,17 @@ class Probe {
   // One value per point. REQUIRES: `slab` holds `time`.
   std::vector<ProbeValue> at(const Slab& slab, double time);
 
-  // One point at one instant. Thread-safe. REQUIRES: `slab` was prepared last and holds `lit`'s time.
-  ProbeValue at(const Slab& slab, size_t point, const LitInstant& lit) const;
+  // One point at one instant. Thread-safe. REQUIRES: `slab` was prepared last and holds `lights`'s time.
+  ProbeValue at(const Slab& slab, size_t point, const LightsAtInstant& lights) const;
   void prepare(const Slab& slab);
-  LitInstant lit_at(double time) const { return lit_instant(scene_, groups_, time); }
+  LightsAtInstant lights_at(double time) const { return strad::lights_at(scene_, groups_, time); }
 
   const Tracer& tracer() const { return tracer_; }
   const Surfaces& surfaces() const { return surfaces_; }
 
  private:
   Rgb solved(const Slab& slab, size_t point, double time) const;
-  Rgb direct(const LitInstant& lit, const SurfacePoint& point) const;
+  Rgb direct(const LightsAtInstant& lights, const SurfacePoint& point) const;
 
   const Scene& scene_;
   std::vector<ProbePoint> points_;

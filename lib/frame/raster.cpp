@@ -75,7 +75,7 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
                  trace_direct,
                  static_cast<uint32_t>(options.lamp_samples)};
   for (const double instant : exposure_times(time, options.shutter)) {
-    view.instants.push_back(lit_instant(scene_, groups_, instant));
+    view.instants.push_back(lights_at(scene_, groups_, instant));
     view.cameras.emplace_back(camera_at(camera, instant), options.width, options.height);
   }
   Image image(options.width, options.height);

@@ -36,7 +36,7 @@ Sample take_sample(const FrameView& view, size_t instant, double x, double y, Sh
 Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPoints points,
              GroupShare* shares) {
   std::fill(shares, shares + view.group_count, GroupShare{});
-  const LitInstant& lit = view.instants[instant];
+  const LightsAtInstant& lights = view.instants[instant];
   Sample sample;
   sample.point = sight.point;
   sample.front = sight.front;
@@ -45,29 +45,29 @@ Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPo
   Rgb irradiance = view.light.irradiance(sight.point.polygon, sight.front, sight.at, &sample.leaf);
   SpotRays spot_rays;
   if (view.trace_direct)
-    irradiance += spots_irradiance(view.tracer, lit.cones, lit.instant, sight.point, &spot_rays);
+    irradiance += spots_irradiance(view.tracer, lights.cones, lights.instant, sight.point, &spot_rays);
   sample.spots = spot_rays.reached;
   sample.base += reflected(sight, irradiance);
   thread_local GroupSight seen;
   for (size_t l = 0; l < view.group_count; ++l) {
-    const LitGroup& group = lit.groups[l];
+    const LitGroup& group = lights.groups[l];
     if (is_black(group.radiance)) continue;
     see_group(group, sight.point, &seen);
     shares[l].irradiance = unoccluded_irradiance(group, sight.point, seen);
     shares[l].radiance = static_cast<float>(shares[l].irradiance) * reflected(sight, group.radiance);
-    add_shadow_rays(view.tracer, lit.instant, group, sight.point, shares[l].irradiance, points, &seen,
+    add_shadow_rays(view.tracer, lights.instant, group, sight.point, shares[l].irradiance, points, &seen,
                     &shares[l].shadow);
   }
   return sample;
 }
 
-void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t light,
+void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t group,
                      ShadowPoints points, GroupShare* share) {
-  const LitInstant& lit = view.instants[instant];
+  const LightsAtInstant& lights = view.instants[instant];
   thread_local GroupSight seen;
-  see_group(lit.groups[light], sample.point, &seen);
-  add_shadow_rays(view.tracer, lit.instant, lit.groups[light], sample.point, share->irradiance, points, &seen,
-                  &share->shadow);
+  see_group(lights.groups[group], sample.point, &seen);
+  add_shadow_rays(view.tracer, lights.instant, lights.groups[group], sample.point, share->irradiance, points,
+                  &seen, &share->shadow);
 }
 
 Rgb radiance(const FrameView& view, const Sample& sample, const GroupShare* shares) {

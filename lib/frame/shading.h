@@ -19,9 +19,9 @@ struct FrameView {
   const Tracer& tracer;
   const Surfaces& surfaces;
   const FrameLight& light;
-  std::vector<CameraRays> cameras;   // one per instant
-  std::vector<LitInstant> instants;  // of the exposure, evenly spread; one where the shutter is not open
-  size_t group_count = 0;            // 0 also where direct light comes from the mesh
+  std::vector<CameraRays> cameras;        // one per instant
+  std::vector<LightsAtInstant> instants;  // of the exposure, evenly spread; one where the shutter is not open
+  size_t group_count = 0;                 // 0 also where direct light comes from the mesh
   bool trace_direct = true;
   uint32_t lamp_samples = 32;  // shadow rays of a corner to each emitter group in whose penumbra it lies
 };
@@ -52,8 +52,8 @@ Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPo
 Sample take_sample(const FrameView& view, size_t instant, double x, double y, ShadowPoints points,
                    GroupShare* shares);
 
-// Adds shadow rays to share `light` of a sample.
-void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t light,
+// Adds shadow rays to share `group` of a sample.
+void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t group,
                      ShadowPoints points, GroupShare* share);
 
 // Radiance of a sample, all light together.

@@ -24,7 +24,7 @@ struct ShowView {
   }
 };
 
-// Surfaces that have no part in the mesh, or of which it says nothing.
+// For surfaces that are not in the mesh, or of which the mesh does not hold what is shown.
 constexpr float kNoMeshGrey = 0.18f;
 
 // The face of the mesh that is seen; kNone where there is none.

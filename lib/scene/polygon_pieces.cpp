@@ -18,7 +18,7 @@ PieceCorner moved(PieceCorner corner, Vec3 by) {
 
 }  // namespace
 
-Piece whole_piece(const Scene& scene, const Polygon& polygon) {
+Piece uncut_piece(const Scene& scene, const Polygon& polygon) {
   Piece piece;
   for (int c = 0; c < polygon.corner_count(); ++c) {
     const uint32_t uv = polygon.uvs[c];

@@ -14,7 +14,8 @@ struct PieceCorner {
 };
 using Piece = std::vector<PieceCorner>;
 
-Piece whole_piece(const Scene& scene, const Polygon& polygon);
+// The polygon as a single piece.
+Piece uncut_piece(const Scene& scene, const Polygon& polygon);
 
 // The parts of a convex piece below and above the plane normal . x = offset (normal of length 1); either may
 // be empty. Corners within `tolerance` of the plane belong to both. Corners on the cut are moved away from

@@ -16,7 +16,7 @@ class Gatherer {
     const Bytes content = reader_.content(chunk);
     const std::string place = reader_.place(chunk);
     if (SceneDecoder::knows(chunk.type)) {
-      if (scene_whole_) throw BadInput(place + ": it comes after the solution");
+      if (scene_complete_) throw BadInput(place + ": it comes after the solution");
       scene_.add(chunk.type, content, place);
     } else if (chunk.type == kSlabChunk) {
       add_slab(chunk, content, place);
@@ -37,7 +37,7 @@ class Gatherer {
   }
 
   Stream finish() {
-    if (!scene_whole_) finish_scene();
+    if (!scene_complete_) finish_scene();
     if (slabs_.empty()) return std::move(stream_);
     if (!index_seen_) throw BadInput(reader_.name() + ": the solution has no index");
     finish_slab();
@@ -53,7 +53,7 @@ class Gatherer {
  private:
   void add_slab(const ChunkView& chunk, const Bytes& content, const std::string& place) {
     if (index_seen_) throw BadInput(place + ": it comes after the index");
-    if (!scene_whole_) finish_scene();
+    if (!scene_complete_) finish_scene();
     if (!slabs_.empty()) finish_slab();
     slabs_.push_back(decode_slab(stream_.scene, content, place));
     index_.push_back(slab_entry(chunk.offset, slabs_.back()));
@@ -61,7 +61,7 @@ class Gatherer {
 
   void finish_scene() {
     stream_.scene = scene_.finish(reader_.name());
-    scene_whole_ = true;
+    scene_complete_ = true;
   }
 
   void finish_slab() {
@@ -75,7 +75,7 @@ class Gatherer {
   const StreamReader& reader_;
   Stream stream_;
   SceneDecoder scene_;
-  bool scene_whole_ = false, index_seen_ = false;
+  bool scene_complete_ = false, index_seen_ = false;
   std::vector<Slab> slabs_;
   std::vector<Bucket> direct_, indirect_;  // of the last slab
   std::vector<IndexEntry> index_;

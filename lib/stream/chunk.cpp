@@ -63,7 +63,7 @@ Bytes decompress(ByteSpan payload, const std::string& place) {
     if (ZSTD_isError(left)) fail(place, std::string("damaged zstd frame: ") + ZSTD_getErrorName(left));
     const bool stuck = out.pos == done && in.pos == in.size;
     content.resize(out.pos);
-    if (left != 0 && stuck) fail(place, "the zstd frame is not whole");
+    if (left != 0 && stuck) fail(place, "the zstd frame is incomplete");
   }
   if (in.pos != in.size)
     fail(place, "found " + std::to_string(in.size - in.pos) + " bytes after the zstd frame");

@@ -77,7 +77,7 @@ uint64_t StreamReader::index_offset() {
   const uint64_t offset = source_->size() - kDoneSize;
   const ByteSpan type = source_->at(offset, kDone.size());
   if (!std::equal(type.begin(), type.end(), kDone.begin()))
-    fail(name(), offset, "expected the closing chunk: the stream is not whole or has an extra tail");
+    fail(name(), offset, "expected the closing chunk: the stream is incomplete or has an extra tail");
   const uint64_t index = get_u64(at(offset).payload, 0);
   if (index >= offset) fail(name(), offset, "the index chunk lies after the end");
   return index;

@@ -89,7 +89,7 @@ void emit(const std::vector<Candidate>& tree, size_t node, Interval interval, Fi
 
 }  // namespace
 
-void append_row(const TimeGrid& grid, const std::vector<Rgb>& node_values, const std::vector<bool>& active,
+void append_row(const TimeGrid& grid, const std::vector<Rgb>& sample_values, const std::vector<bool>& active,
                 float tolerance, Field* field) {
   const int order = field->order;
   const float tolerance2 = tolerance * tolerance;
@@ -103,7 +103,7 @@ void append_row(const TimeGrid& grid, const std::vector<Rgb>& node_values, const
       leaf.single = true;
       if (active.empty() || active[cell])
         for (int k = 0; k < order; ++k) {
-          leaf.values[k] = node_values[static_cast<size_t>(cell) * order + k];
+          leaf.values[k] = sample_values[static_cast<size_t>(cell) * order + k];
           leaf.norm2 += static_cast<float>(gauss_weights(order)[k]) * mean_square(leaf.values[k]);
         }
       leaf.zero = leaf.norm2 <= tolerance2;

@@ -43,7 +43,8 @@ Rgb mean_over(const TimeGrid& grid, const Field& field, uint32_t row, double beg
 // The jump value(cell boundary +) - value(cell boundary -) at the beginning of `cell`, before any correction.
 Rgb jump_at(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t cell);
 
-// Adds the raw values of a row at the nodes of the cells first .. first + count - 1 to values[0 ..].
+// Adds the values of a row, before any correction, at the time samples of the cells first .. first + count -
+// 1 to values[0 ..].
 void add_values(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t first, uint32_t count,
                 Rgb* values);
 
@@ -51,7 +52,7 @@ void add_values(const TimeGrid& grid, const Field& field, uint32_t row, uint32_t
 // while the root mean square error of the merged polynomial over its interval, in its largest channel, is at
 // most `tolerance`. Pieces whose root mean square is below it are dropped. So the error of the row is about
 // `tolerance`. `active`: one flag per cell; inactive cells are zero. Empty: all cells are active.
-void append_row(const TimeGrid& grid, const std::vector<Rgb>& node_values, const std::vector<bool>& active,
+void append_row(const TimeGrid& grid, const std::vector<Rgb>& sample_values, const std::vector<bool>& active,
                 float tolerance, Field* field);
 
 }  // namespace strad

@@ -45,9 +45,9 @@ double cell_time(const TimeGrid& grid, double cell_coordinate, uint32_t span) {
   return s.begin + fraction * (s.end - s.begin);
 }
 
-double sample_time(const TimeGrid& grid, uint32_t node) {
-  const uint32_t cell = node / static_cast<uint32_t>(grid.order);
-  const int k = static_cast<int>(node % static_cast<uint32_t>(grid.order));
+double sample_time(const TimeGrid& grid, uint32_t time_sample) {
+  const uint32_t cell = time_sample / static_cast<uint32_t>(grid.order);
+  const int k = static_cast<int>(time_sample % static_cast<uint32_t>(grid.order));
   return cell_time(grid, cell + gauss_nodes(grid.order)[k], span_of_cell(grid, cell));
 }
 

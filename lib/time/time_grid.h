@@ -35,16 +35,18 @@ struct Interval {
   bool operator==(const Interval&) const = default;
 };
 
-// Spans between `steps` (ascending, strictly inside), with about `samples` nodes in all, at least one cell
-// per span.
+// Spans between `steps` (ascending, strictly inside), with about `samples` time samples in all, at least one
+// cell per span.
 TimeGrid make_time_grid(double start, double end, const std::vector<double>& steps, int order, int samples);
 
-// One instant: a single cell with one node at `time`.
+// One instant: a single cell with one time sample, `time`.
 TimeGrid instant_grid(double time);
 
 uint32_t span_of_cell(const TimeGrid& grid, uint32_t cell);
-double cell_time(const TimeGrid& grid, double cell_coordinate, uint32_t span);  // first_cell.. : begin..end
-double sample_time(const TimeGrid& grid, uint32_t node);
+// The time, s, of a place within a span. `cell_coordinate` counts cells, with fractions: it is
+// span.first_cell at the beginning of the span.
+double cell_time(const TimeGrid& grid, double cell_coordinate, uint32_t span);
+double sample_time(const TimeGrid& grid, uint32_t time_sample);
 double interval_begin(const TimeGrid& grid, Interval interval);
 double interval_end(const TimeGrid& grid, Interval interval);
 

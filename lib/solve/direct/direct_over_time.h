@@ -43,7 +43,8 @@ class DirectOverTime {
   const std::vector<Instant>& instants_;
   DirectLight light_;
   int samples_;
-  Instant brightest_;  // the first instant, with each glow at its largest
+  // Poses of the first instant, with each glow at its largest: emitters at rest are sampled once, by it.
+  Instant brightest_;
   std::vector<bool> still_mask_, moving_mask_;
 };
 

@@ -87,8 +87,8 @@ bool KernelEvaluator::overlap(uint32_t receiver, uint32_t emitter, Interval inte
   if (p.body == q.body || !(swept_.moves(p.body) || swept_.moves(q.body)))
     return meet(swept_.poses(interval, 0.5));
   constexpr int kTimes = 5;
-  for (int d = 0; d < kTimes; ++d)
-    if (meet(swept_.poses(interval, static_cast<double>(d) / (kTimes - 1)))) return true;
+  for (int i = 0; i < kTimes; ++i)
+    if (meet(swept_.poses(interval, static_cast<double>(i) / (kTimes - 1)))) return true;
   return false;
 }
 
@@ -110,8 +110,8 @@ void KernelEvaluator::sample_changing(const Node& p, const Node& q, uint64_t see
   // Gauss node.
   const int times = interval.log2_cells >= 4 ? 8 : interval.log2_cells >= 2 ? 6 : 4;
   double error2 = 0;
-  for (int d = 0; d < times; ++d) {
-    const double s = static_cast<double>(d) / (times - 1);
+  for (int i = 0; i < times; ++i) {
+    const double s = static_cast<double>(i) / (times - 1);
     const double mean = mean_at(s), represented = represented_at(s, order, e.kernel);
     error2 += (mean - represented) * (mean - represented) / times;
   }

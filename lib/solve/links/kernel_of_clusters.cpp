@@ -10,9 +10,10 @@ namespace strad {
 namespace {
 
 constexpr int kRaysAPoint = 3;
-constexpr double kLeastResponse = 0.05;  // below it the samples say nothing of how a lobe responds
+constexpr double kLeastResponse =
+    0.05;  // below it the samples hardly face the other end: their mean is unreliable
 
-// Both ends of a pair, and what the points get from the parts.
+// Both ends of a pair, and the irradiance of the receiver's points from the emitter's parts.
 struct Exchange {
   ReceiverPoint points[kMostPoints];
   EmitterPart parts[kMostParts];
@@ -21,8 +22,8 @@ struct Exchange {
   double shares[kMostParts] = {};     // of the unoccluded irradiance, summed over the points
   double unoccluded = 0;              // irradiance, summed over the points that get any
   double mean = 0;                    // of at_point
-  double response = 0;                // mean of the points'
-  double represented = 0;             // sum of the parts'
+  double response = 0;                // mean over the points
+  double represented = 0;             // sum over the parts
 };
 
 Exchange exchange_of(const KernelPair& pair, int control) {

@@ -28,8 +28,8 @@ double total_of(const NodeTree& tree, const FunctionBlock& radiance) {
   double total = 0;
   for (const uint32_t leaf : radiance.rows()) {
     double of_leaf = 0;
-    for (size_t d = 0; d < radiance.sample_count(); ++d) {
-      const Rgb l = radiance.get(leaf, d);
+    for (size_t t = 0; t < radiance.sample_count(); ++t) {
+      const Rgb l = radiance.get(leaf, t);
       of_leaf += l.r + l.g + l.b;
     }
     total += surface_of(tree, leaf).area * of_leaf;
@@ -41,8 +41,8 @@ double mean_radiance(const NodeTree& tree, const FunctionBlock& radiance) {
   double sum = 0, area = 0;
   for (const uint32_t leaf : radiance.rows()) {
     double of_leaf = 0;
-    for (size_t d = 0; d < radiance.sample_count(); ++d) {
-      const Rgb l = radiance.get(leaf, d);
+    for (size_t t = 0; t < radiance.sample_count(); ++t) {
+      const Rgb l = radiance.get(leaf, t);
       of_leaf += (l.r + l.g + l.b) / 3;
     }
     if (!(of_leaf > 0)) continue;

@@ -9,15 +9,17 @@
 
 namespace strad {
 
-// Transport from one node to another on an interval of time: kernel(t) * L_emitter(t) of the irradiance of
-// the receiver comes along the link.
+// Transport from one node to another on an interval of time: the link brings the irradiance
+// kernel(t) * L_emitter(t) to its receiver.
 struct Link {
   uint32_t receiver = 0, emitter = 0;
   Interval interval;
   KernelEstimate estimate;
 };
 
-// The links ordered by receiver: first those whose kernel never changes, and apart from them all others.
+// Links by receiver. A still link has one kernel for the whole animation, a dynamic one a kernel for each
+// Gauss node of its interval. Node n has the still links first_still[n] to first_still[n + 1] - 1, and
+// likewise the dynamic ones.
 struct LinkTable {
   struct Still {
     uint32_t emitter;

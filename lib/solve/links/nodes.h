@@ -22,10 +22,10 @@ struct Node {
   uint32_t element = kNone;  // of a patch
   uint32_t face = kNone;     // of a patch
   uint32_t body = 0;
-  uint32_t parent = kNone;
+  uint32_t parent = kNone;       // kNone: a root
   uint32_t first_child = kNone;  // child_count in a row; kNone: a leaf
   uint32_t child_count = 0;
-  uint32_t slot = 0;  // of its functions of time: one for a patch, kLobes for a cluster
+  uint32_t slot = 0;  // the first row for its functions of time: one for a patch, kLobes for a cluster
   float area = 0;     // m^2
   float radius = 0;   // m, of a sphere about the centre
   Vec3 centre;        // rest

@@ -35,18 +35,19 @@ struct TransportInput {
   const NodeTree* tree = nullptr;
   const LinkTable* links = nullptr;
   const std::vector<Instant>* instants = nullptr;  // of the time samples
-  // Radiance that a leaf reflects of direct light at a column, by slot, W / (sr m^2).
+  // Radiance that a leaf reflects of direct light, by slot (Node::slot), W / (sr m^2). A column is the place
+  // of a time sample in the caller's table of direct light, which may hold only some time samples.
   std::function<Rgb(size_t slot, size_t column)> direct;
   const std::vector<ClusterReflection>* reflections = nullptr;
-  // The sum that the kernels of each leaf should have, in units of pi, by node; null: no scaling. See
+  // The sum that the form factors (kernel / pi) of each leaf should have, by node; null: no scaling. See
   // balance().
   const std::vector<float>* form_factor_sums = nullptr;
   double residual = 1e-3;  // largest mean change of radiance, relative
   int max_iterations = 100;
 };
 
-// By slot and time sample, [slot * time_samples.size() + i]; `irradiance` as the links gave it, balanced,
-// leaves only.
+// By slot and time sample, [slot * time_samples.size() + i]. `irradiance`: what the links of a leaf and of
+// all its ancestors bring to it, scaled by balance(); of leaves only.
 struct NodeLight {
   std::vector<Rgb> radiance;    // W / (sr m^2), reflected, without emission
   std::vector<Rgb> irradiance;  // W / m^2, indirect

@@ -30,8 +30,9 @@ std::vector<bool> curved_polygons(const Scene& scene, const PolygonJoints& joint
   return curved;
 }
 
-// Of the small sides, those that are not treated as parts of one large face in their plane. Small sides that
-// share corners in one plane are treated alike. Otherwise those at the rim would differ.
+// Of the small sides, those that are not treated as parts of one large face in their plane. Small sides in
+// one plane that share corners, here called a flat, are treated alike. Otherwise those at its rim would
+// differ.
 std::vector<bool> sides_in_no_flat(const Scene& scene, const PolygonJoints& joints,
                                    const std::vector<bool>& is_small) {
   const auto sides = static_cast<uint32_t>(is_small.size());

@@ -38,7 +38,7 @@ std::vector<std::vector<uint32_t>> independent_classes(const std::vector<std::ve
 std::vector<Rgb> difference_of(const std::vector<Rgb>& own, const CoarseFunction& a,
                                const CoarseFunction& b) {
   std::vector<Rgb> difference(own.size());
-  for (size_t d = 0; d < own.size(); ++d) difference[d] = 0.5f * (a[d] + b[d]) - own[d];
+  for (size_t t = 0; t < own.size(); ++t) difference[t] = 0.5f * (a[t] + b[t]) - own[t];
   return difference;
 }
 
@@ -104,7 +104,7 @@ void smooth(const std::vector<std::vector<NeighbourPair>>& pairs,
           for (const NeighbourPair& pair : own_pairs) {
             const std::vector<Rgb> difference = difference_of(own, function(pair.a), function(pair.b));
             const float part = share * share_of_noise(relative_rms(difference, own), usual);
-            for (size_t d = 0; d < own.size(); ++d) result[d] += part * difference[d];
+            for (size_t t = 0; t < own.size(); ++t) result[t] += part * difference[t];
           }
           function(vertices[i]) = CoarseFunction(result);
         }

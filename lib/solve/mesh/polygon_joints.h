@@ -24,7 +24,7 @@ class PolygonJoints {
   explicit PolygonJoints(const Scene& scene);  // keeps a reference
 
   CornerKey corner(uint32_t polygon, uint32_t side, int corner) const;
-  // Of the edge from that corner to the next; equal for edges with the same ends.
+  // A key of the edge from that corner to the next; equal for edges with the same ends.
   uint64_t edge(uint32_t polygon, int corner) const;
   // Are two polygons that meet parts of one surface: of one body, at a small angle?
   bool continues(uint32_t polygon, uint32_t other) const;

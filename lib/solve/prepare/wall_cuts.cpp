@@ -233,7 +233,7 @@ Scene cut_under_walls(Scene scene) {
     const Pose& pose = poses[body_of(scene, polygon)];
     const Pose back = inverse(pose);
     const Vec3 normal = polygon_normal(scene, polygon);
-    std::vector<Piece> pieces{whole_piece(scene, polygon)};
+    std::vector<Piece> pieces{uncut_piece(scene, polygon)};
     for (; contact != contacts.end() && contact->floor == p; ++contact) {
       Contact at_rest = *contact;
       at_rest.a = back * at_rest.a;

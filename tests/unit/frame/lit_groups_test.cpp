@@ -36,12 +36,13 @@ double square_irradiance(double a, double h) {
 ShadowRays rays(const Scene& scene, const SurfacePoint& point, uint32_t count, double* irradiance) {
   const Tracer tracer(scene);
   const std::vector<EmitterGroup> groups = emitter_groups(scene);
-  const LitInstant lit = lit_instant(scene, groups, 0);
+  const LightsAtInstant lights = lights_at(scene, groups, 0);
   GroupSight sight;
-  see_group(lit.groups[0], point, &sight);
-  *irradiance = unoccluded_irradiance(lit.groups[0], point, sight);
+  see_group(lights.groups[0], point, &sight);
+  *irradiance = unoccluded_irradiance(lights.groups[0], point, sight);
   ShadowRays shadow;
-  add_shadow_rays(tracer, lit.instant, lit.groups[0], point, *irradiance, {0, count, 0}, &sight, &shadow);
+  add_shadow_rays(tracer, lights.instant, lights.groups[0], point, *irradiance, {0, count, 0}, &sight,
+                  &shadow);
   return shadow;
 }
 
@@ -108,7 +109,7 @@ TEST(LitGroups, OutlinesGiveTheSumOfFacets) {
   EXPECT_EQ(groups[0].polygons.size(), 32u);
   EXPECT_EQ(groups[0].vertices.size(), 26u);  // 3 rings of 8 and the poles
   EXPECT_EQ(groups[0].edges.size(), 56u);     // Euler: V - E + F = 2
-  const LitInstant lit = lit_instant(scene, groups, 0);
+  const LightsAtInstant lights = lights_at(scene, groups, 0);
   GroupSight sight;
   int cut = 0, far = 0;
   for (uint32_t i = 0; i < 200; ++i) {
@@ -118,14 +119,14 @@ TEST(LitGroups, OutlinesGiveTheSumOfFacets) {
     SurfacePoint point;
     point.position = distance * Vec3{ring * std::cos(2 * kPi * at.v), ring * std::sin(2 * kPi * at.v), z};
     point.normal = {nring * std::cos(2 * kPi * towards.v), nring * std::sin(2 * kPi * towards.v), nz};
-    see_group(lit.groups[0], point, &sight);
+    see_group(lights.groups[0], point, &sight);
     double sum = 0;
-    for (const Emitter& facet : lit.groups[0].facets) {
+    for (const Emitter& facet : lights.groups[0].facets) {
       if (is_before(facet, point.position))
         sum += unit_irradiance(point.position, point.normal, facet.corners.data(), facet.count);
     }
-    EXPECT_NEAR(unoccluded_irradiance(lit.groups[0], point, sight), sum, 1e-12) << i;
-    cut += sight.sets && sum > 0;
+    EXPECT_NEAR(unoccluded_irradiance(lights.groups[0], point, sight), sum, 1e-12) << i;
+    cut += sight.below_horizon && sum > 0;
     far += sight.view != nullptr;
     EXPECT_TRUE(sight.view == nullptr || distance > 3);
   }
@@ -179,12 +180,12 @@ TEST(LitGroups, SpotFallsWithTheSquareOfDistance) {
   add_quad(&scene, {-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0});
   scene.spots.push_back({"key", 0, 0.3, 0.5, {{0, {0, 0, 2}, {0, 0, 0}, {8, 4, 2}}}});
   const Tracer tracer(scene);
-  const LitInstant lit = lit_instant(scene, {}, 0);
+  const LightsAtInstant lights = lights_at(scene, {}, 0);
   SpotRays under, beside;
-  const Rgb light = spots_irradiance(tracer, lit.cones, lit.instant, {{0, 0, 0}, {0, 0, 1}, 0}, &under);
+  const Rgb light = spots_irradiance(tracer, lights.cones, lights.instant, {{0, 0, 0}, {0, 0, 1}, 0}, &under);
   EXPECT_NEAR(light.r, 8 / 4.0, 1e-6);  // I cos / r^2
   EXPECT_NEAR(light.b, 2 / 4.0, 1e-6);
-  const Rgb none = spots_irradiance(tracer, lit.cones, lit.instant, {{3, 0, 0}, {0, 0, 1}, 0}, &beside);
+  const Rgb none = spots_irradiance(tracer, lights.cones, lights.instant, {{3, 0, 0}, {0, 0, 1}, 0}, &beside);
   EXPECT_EQ(none, Rgb{});
   EXPECT_NE(under.reached, beside.reached);
 }

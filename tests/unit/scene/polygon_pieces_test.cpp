@@ -31,7 +31,7 @@ double area_of(const Piece& piece) {
 
 TEST(PolygonPieces, FillThePolygon) {
   const Table table;
-  const Piece whole = whole_piece(table.scene, table.polygon);
+  const Piece whole = uncut_piece(table.scene, table.polygon);
   const Vec3 normal = normalized({1, 0.3, 0});
   for (const double offset : {0.1, 0.7, 1.9, 3.8, 4.2}) {
     const Halves halves = split(whole, normal, offset, 1e-6, 0);
@@ -49,7 +49,7 @@ TEST(PolygonPieces, FillThePolygon) {
 
 TEST(PolygonPieces, WhatThePlaneOnlyTouchesStaysWhole) {
   const Table table;
-  const Piece whole = whole_piece(table.scene, table.polygon);
+  const Piece whole = uncut_piece(table.scene, table.polygon);
   EXPECT_TRUE(split(whole, {1, 0, 0}, 0, 1e-6, 1e-5).below.empty());
   EXPECT_EQ(split(whole, {1, 0, 0}, 0, 1e-6, 1e-5).above.size(), 4u);
   EXPECT_TRUE(split(whole, {1, 0, 0}, 4, 1e-6, 1e-5).above.empty());
@@ -58,7 +58,7 @@ TEST(PolygonPieces, WhatThePlaneOnlyTouchesStaysWhole) {
 
 TEST(PolygonPieces, TheGapParts) {
   const Table table;
-  const Halves halves = split(whole_piece(table.scene, table.polygon), {0, 1, 0}, 1, 1e-6, 0.01);
+  const Halves halves = split(uncut_piece(table.scene, table.polygon), {0, 1, 0}, 1, 1e-6, 0.01);
   for (const PieceCorner& corner : halves.below) EXPECT_LE(corner.position.y, 0.99 + 1e-12);
   for (const PieceCorner& corner : halves.above) EXPECT_GE(corner.position.y, 1.01 - 1e-12);
 }
@@ -68,7 +68,7 @@ TEST(PolygonPieces, BecomeTrianglesAndQuadsOfTheSameObjectAndMaterial) {
   table.polygon.material = 0;
   // A corner is cut off: a triangle and a pentagon, which is a quad and a triangle.
   const Halves halves =
-      split(whole_piece(table.scene, table.polygon), normalized({1, 1, 0}), std::sqrt(0.5), 1e-6, 0);
+      split(uncut_piece(table.scene, table.polygon), normalized({1, 1, 0}), std::sqrt(0.5), 1e-6, 0);
   ASSERT_EQ(halves.below.size(), 3u);
   ASSERT_EQ(halves.above.size(), 5u);
   const std::vector<Polygon> polygons =
@@ -77,7 +77,7 @@ TEST(PolygonPieces, BecomeTrianglesAndQuadsOfTheSameObjectAndMaterial) {
   table.scene.polygons = polygons;
   EXPECT_NO_THROW(validate(table.scene));
   double area = 0;
-  for (const Polygon& polygon : polygons) area += area_of(whole_piece(table.scene, polygon));
+  for (const Polygon& polygon : polygons) area += area_of(uncut_piece(table.scene, polygon));
   EXPECT_NEAR(area, 8, 1e-5);
 }
 

@@ -39,8 +39,8 @@ struct Grid {
     mesh = builder.take();
     for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
       std::vector<Rgb> values;
-      for (size_t d = 0; d < kTimes; ++d) {
-        const auto value = static_cast<float>(light(mesh.vertices[v].position, v, d));
+      for (size_t t = 0; t < kTimes; ++t) {
+        const auto value = static_cast<float>(light(mesh.vertices[v].position, v, t));
         values.push_back({value, value, value});
       }
       functions.emplace_back(values);
@@ -53,8 +53,8 @@ struct Grid {
   double error(const std::function<double(Vec3 at, size_t time_sample)>& light) const {
     double sum = 0;
     for (uint32_t v = 0; v < functions.size(); ++v)
-      for (size_t d = 0; d < kTimes; ++d)
-        sum += std::pow(functions[v][d].r - light(mesh.vertices[v].position, d), 2);
+      for (size_t t = 0; t < kTimes; ++t)
+        sum += std::pow(functions[v][t].r - light(mesh.vertices[v].position, t), 2);
     return std::sqrt(sum / static_cast<double>(functions.size() * kTimes));
   }
 };

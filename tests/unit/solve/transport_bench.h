@@ -41,7 +41,7 @@ struct Transport {
 
   std::vector<uint32_t> time_samples() const {
     std::vector<uint32_t> all;
-    for (uint32_t d = 0; d < bench.grid.sample_count(); ++d) all.push_back(d);
+    for (uint32_t t = 0; t < bench.grid.sample_count(); ++t) all.push_back(t);
     return all;
   }
   // `direct`: radiance reflected of direct light, by slot.

@@ -23,17 +23,17 @@ Rgb value(uint64_t leaf, uint64_t time_sample) {
 FunctionBlock filled() {
   FunctionBlock functions(12, kLeaves, kTimes);
   for (const uint32_t leaf : {11u, 2u, 3u})  // in any order
-    for (size_t d = 0; d < kTimes; ++d) functions.set(leaf, d, value(leaf, d));
+    for (size_t t = 0; t < kTimes; ++t) functions.set(leaf, t, value(leaf, t));
   return functions;
 }
 
 TEST(FunctionBlock, KeepsThreeDigits) {
   const FunctionBlock functions = filled();
   for (const uint32_t leaf : kLeaves)
-    for (size_t d = 0; d < kTimes; ++d)
+    for (size_t t = 0; t < kTimes; ++t)
       for (int c = 0; c < 3; ++c) {
-        const float expected = value(leaf, d)[c];
-        EXPECT_NEAR(functions.get(leaf, d)[c], expected, 0.004f * expected);
+        const float expected = value(leaf, t)[c];
+        EXPECT_NEAR(functions.get(leaf, t)[c], expected, 0.004f * expected);
       }
 }
 
@@ -41,10 +41,10 @@ TEST(FunctionBlock, KeepsThreeDigits) {
 TEST(FunctionBlock, RoundsToNearest) {
   FunctionBlock functions(1, {0}, 10000);
   double sum = 0, expected = 0;
-  for (size_t d = 0; d < 10000; ++d) {
-    const auto v = static_cast<float>(1 + unit_from(hash_of(d)));
-    functions.set(0, d, {v, v, v});
-    sum += static_cast<double>(functions.get(0, d).r);
+  for (size_t t = 0; t < 10000; ++t) {
+    const auto v = static_cast<float>(1 + unit_from(hash_of(t)));
+    functions.set(0, t, {v, v, v});
+    sum += static_cast<double>(functions.get(0, t).r);
     expected += static_cast<double>(v);
   }
   EXPECT_NEAR(sum / expected, 1, 1e-4);
