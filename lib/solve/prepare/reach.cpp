@@ -1,200 +1,152 @@
 #include "solve/prepare/reach.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <tuple>
 
-#include "base/disjoint_sets.h"
+#include "base/none.h"
 #include "base/parallel.h"
 #include "base/rng.h"
-#include "light/direct.h"
-#include "solution/mesh.h"
+#include "light/emitter.h"
+#include "scene/polygon_geometry.h"
+#include "solve/prepare/connected_surfaces.h"
+#include "solve/prepare/light_walks.h"
 
 namespace strad {
 namespace {
 
-constexpr uint32_t kWalks = 16384;
-constexpr int kBounces = 8;
 constexpr uint32_t kTimes = 64;
-// A surface with fewer hits than one in a hundred of those expected is dark; it takes 20 expected ones to
-// tell.
-constexpr double kDarkShare = 0.01, kEnough = 20;
+// So many hits cannot all have slipped through the cracks between polygons that should touch.
+constexpr uint32_t kEnoughHits = 64;
+constexpr uint64_t kCoverRays = 4096;  // of a side: if all meet dark surfaces, something stands on it
+constexpr uint32_t kRounds[] = {64, 512, 4096};  // walks back, until one finds light
 
-// Connected surfaces: the sides of polygons, joined across the edges they share.
-class Surfaces {
- public:
-  explicit Surfaces(const Scene& scene) : sets_(2 * scene.polygons.size()) {
-    const auto order = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
-    std::vector<Edge> edges;
-    for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
-      const int n = scene.polygons[p].corner_count();
-      for (int i = 0; i < n; ++i) {
-        const Vec3 a = scene.vertices[scene.polygons[p].corners[i]];
-        const Vec3 b = scene.vertices[scene.polygons[p].corners[(i + 1) % n]];
-        const bool forward = order(a, b);
-        edges.push_back({forward ? a : b, forward ? b : a, p});
-      }
-    }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-      return std::tie(a.low.x, a.low.y, a.low.z, a.high.x, a.high.y, a.high.z, a.polygon) <
-             std::tie(b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z, b.polygon);
-    });
-    std::vector<bool> open(scene.polygons.size(), false);
-    for (size_t i = 0; i < edges.size();) {
-      size_t end = i + 1;
-      while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
-      if (end - i == 1)
-        open[edges[i].polygon] = true;
-      else
-        join_around(scene, edges[i].low, edges[i].high,
-                    {edges.begin() + static_cast<std::ptrdiff_t>(i),
-                     edges.begin() + static_cast<std::ptrdiff_t>(end)});
-      i = end;
-    }
-    volume_.assign(sets_.size(), 0.0);
-    open_.assign(sets_.size(), false);
-    for (uint32_t side = 0; side < sets_.size(); ++side) {
-      const Polygon& polygon = scene.polygons[side / 2];
-      if (open[side / 2]) open_[find(side)] = true;
-      const auto at = [&](int i) { return scene.vertices[polygon.corners[i]]; };
-      for (int i = 2; i < polygon.corner_count(); ++i)
-        volume_[find(side)] += (side % 2 ? -1 : 1) * dot(at(0), cross(at(i - 1), at(i)));
-    }
-  }
-  // Is this the inner side of a surface that bounds a solid?
-  bool is_inside(uint32_t side) {
-    const uint32_t surface = find(side);
-    return !open_[surface] && volume_[surface] < 0;
-  }
-  uint32_t find(uint32_t side) { return sets_.find(side); }
-
- private:
-  struct Edge {
-    Vec3 low, high;
-    uint32_t polygon;
-  };
-  // Polygons about an edge part space into wedges; the two sides that bound one go on into each other.
-  void join_around(const Scene& scene, Vec3 low, Vec3 high, const std::vector<Edge>& edges) {
-    struct Leaf {
-      double angle;
-      uint32_t polygon, ahead;  // the side that faces growing angles
-    };
-    const Frame frame = frame_about(normalized(high - low));
-    std::vector<Leaf> leaves;
-    for (const Edge& edge : edges) {
-      const Polygon& polygon = scene.polygons[edge.polygon];
-      Vec3 centre;
-      for (int c = 0; c < polygon.corner_count(); ++c)
-        centre += scene.vertices[polygon.corners[c]] / polygon.corner_count();
-      const Vec3 into = centre - low;
-      const double x = dot(into, frame.tangent), y = dot(into, frame.bitangent);
-      const Vec3 turning = x * frame.bitangent - y * frame.tangent;
-      const uint32_t back = dot(polygon_normal(scene, polygon), turning) < 0;
-      leaves.push_back({std::atan2(y, x), edge.polygon, 2 * edge.polygon + back});
-    }
-    std::sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
-      return std::tie(a.angle, a.polygon) < std::tie(b.angle, b.polygon);
-    });
-    for (size_t i = 0; i < leaves.size(); ++i)
-      sets_.join(leaves[i].ahead, leaves[(i + 1) % leaves.size()].ahead ^ 1u);
-  }
-
-  DisjointSets sets_;
-  std::vector<double> volume_;  // six times that which the surface bounds, negative seen from within
-  std::vector<bool> open_;
-};
-
-struct Start {
-  Vec3 position, direction;
-};
-
-Vec3 cosine_about(Vec3 normal, uint64_t seed) {
-  const double u = unit_from(mix64(seed)), phi = 2 * kPi * unit_from(mix64(seed + 1));
-  const Frame frame = frame_about(normal);
-  return std::sqrt(u) * std::cos(phi) * frame.tangent + std::sqrt(u) * std::sin(phi) * frame.bitangent +
-         std::sqrt(1 - u) * normal;
-}
-
-// Where walk `w` leaves the lights: spots and emitting polygons in turn.
-std::optional<Start> start_of(const Scene& scene, const Tracer& tracer, const Instant& instant,
-                              const std::vector<uint32_t>& emitters, uint32_t w) {
-  const uint64_t seed = hash_of(w, 11);
-  const size_t lights = scene.spots.size() + emitters.size();
-  if (lights == 0) return std::nullopt;
-  const size_t light = static_cast<size_t>(unit_from(seed) * static_cast<double>(lights));
-  if (light < scene.spots.size()) {
-    const SpotState& spot = instant.spots[light];
-    const double cosine = 1 - unit_from(mix64(seed + 1)) * (1 - std::cos(scene.spots[light].outer));
-    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine)),
-                 phi = 2 * kPi * unit_from(mix64(seed + 2));
-    const Frame frame = frame_about(spot.direction);
-    return Start{spot.position, sine * std::cos(phi) * frame.tangent +
-                                    sine * std::sin(phi) * frame.bitangent + cosine * spot.direction};
-  }
-  const Polygon& polygon = scene.polygons[emitters[light - scene.spots.size()]];
-  const Pose& pose = instant.world_from_body[body_of(scene, polygon)];
-  double u = unit_from(mix64(seed + 1)), v = unit_from(mix64(seed + 2));
-  if (polygon.corner_count() == 3 && u + v > 1) u = 1 - u, v = 1 - v;
-  const Vec3 normal = polygon_normal(scene, polygon);
-  const Vec3 at = point_of(scene, polygon, {u, v}) + tracer.offset() * normal;
-  return Start{pose * at, rotate(pose, cosine_about(normal, seed + 3))};
-}
-
-}  // namespace
-
-std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const TimeGrid& grid) {
-  const size_t sides = 2 * scene.polygons.size();
-  std::vector<uint32_t> emitters;
-  for (uint32_t p = 0; p < scene.polygons.size(); ++p)
-    if (emits(scene, scene.polygons[p])) emitters.push_back(p);
+std::vector<Instant> instants_over(const Scene& scene, const TimeGrid& grid) {
   std::vector<Instant> instants;
   const uint32_t times = std::min(kTimes, grid.sample_count());
   for (uint32_t d = 0; d < times; ++d)
     instants.push_back(
         instant_at(scene, sample_time(grid, static_cast<uint32_t>((d + 0.5) * grid.sample_count() / times))));
+  return instants;
+}
 
-  std::vector<uint32_t> met(size_t{kWalks} * kBounces, kNone);  // side, of each bounce of each walk
-  parallel_for(kWalks, 256, [&](size_t begin, size_t end) {
-    for (size_t w = begin; w < end; ++w) {
-      const Instant& instant = instants[w % times];
-      const std::optional<Start> start = start_of(scene, tracer, instant, emitters, static_cast<uint32_t>(w));
-      if (!start) return;
-      Vec3 from = start->position, towards = start->direction;
-      for (int b = 0; b < kBounces; ++b) {
-        const SurfaceHit hit = tracer.closest(instant.world_from_body, from, towards);
-        if (hit.polygon == kNone) break;
-        met[w * kBounces + static_cast<size_t>(b)] = 2 * hit.polygon + (hit.front ? 0 : 1);
-        const Polygon& polygon = scene.polygons[hit.polygon];
-        const Pose& pose = instant.world_from_body[body_of(scene, polygon)];
-        const Vec3 normal = (hit.front ? 1.0 : -1.0) * rotate(pose, polygon_normal(scene, polygon));
-        from = pose * hit.rest_point + tracer.offset() * normal;
-        towards = cosine_about(normal, hash_of(w, static_cast<uint64_t>(b), 5));
+bool meet(const Box& a, const Box& b) {
+  for (int i = 0; i < 3; ++i)
+    if (!(a.lower[i] <= b.upper[i] && b.lower[i] <= a.upper[i])) return false;
+  return true;
+}
+
+// Of sides of polygons, rest.
+Box box_of(const Scene& scene, const uint32_t* begin, const uint32_t* end) {
+  Box box;
+  for (const uint32_t* side = begin; side != end; ++side) {
+    const Polygon& polygon = scene.polygons[*side / 2];
+    for (int c = 0; c < polygon.corner_count(); ++c) box.add(scene.vertices[polygon.corners[c]]);
+  }
+  return box;
+}
+
+// Around a box that has been moved.
+Box moved(const Box& box, const Pose& pose) {
+  Box around;
+  for (int corner = 0; corner < 8; ++corner)
+    around.add(pose * Vec3{(corner & 1 ? box.upper : box.lower).x, (corner & 2 ? box.upper : box.lower).y,
+                           (corner & 4 ? box.upper : box.lower).z});
+  return around;
+}
+
+// Boxes of all lamps at an instant, ascending by their lower x.
+std::vector<Box> lamp_boxes(const Scene& scene, const Instant& instant) {
+  std::vector<Box> boxes;
+  for (const SpotState& spot : instant.spots) {
+    boxes.emplace_back();
+    boxes.back().add(spot.position);
+  }
+  for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
+    if (!emits(scene, scene.polygons[p])) continue;
+    const uint32_t side = 2 * p;
+    const Pose& pose = instant.world_from_body[body_of(scene, scene.polygons[p])];
+    boxes.push_back(moved(box_of(scene, &side, &side + 1), pose));
+  }
+  std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.lower.x < b.lower.x; });
+  return boxes;
+}
+
+// By surface: does it enclose its space, with no lamp in its box at any of the instants?
+std::vector<char> surely_dark(const Scene& scene, const ConnectedSurfaces& surfaces,
+                              const std::vector<Instant>& instants) {
+  std::vector<char> dark(surfaces.count());
+  std::vector<Box> boxes(surfaces.count());
+  for (uint32_t s = 0; s < surfaces.count(); ++s) {
+    dark[s] = surfaces.encloses(s);
+    if (dark[s]) boxes[s] = box_of(scene, surfaces.begin(s), surfaces.end(s));
+  }
+  for (const Instant& instant : instants) {
+    const std::vector<Box> lamps = lamp_boxes(scene, instant);
+    parallel_for(dark.size(), 64, [&](size_t begin, size_t end) {
+      for (size_t s = begin; s < end; ++s) {
+        if (!dark[s]) continue;
+        const Polygon& any = scene.polygons[*surfaces.begin(static_cast<uint32_t>(s)) / 2];
+        const Box box = moved(boxes[s], instant.world_from_body[body_of(scene, any)]);
+        for (const Box& lamp : lamps) {
+          if (lamp.lower.x > box.upper.x) break;
+          if (meet(lamp, box)) dark[s] = false;
+        }
+      }
+    });
+  }
+  return dark;
+}
+
+// Do walks back from points spread over a surface by area find light?
+bool finds_light(const Scene& scene, const ConnectedSurfaces& surfaces, uint32_t surface,
+                 const LightWalks& walks) {
+  std::vector<double> up_to;
+  double area = 0;
+  for (const uint32_t* side = surfaces.begin(surface); side != surfaces.end(surface); ++side)
+    up_to.push_back(area += polygon_area(scene, scene.polygons[*side / 2]));
+  uint32_t key = 0;
+  for (const uint32_t round : kRounds)
+    for (uint32_t i = 0; i < round; ++i, ++key) {
+      // Strata of the area: each round covers all of the surface.
+      const double target = area * (i + unit_from(hash_of(surface, key, 17))) / round;
+      const auto chosen = std::upper_bound(up_to.begin(), up_to.end() - 1, target);
+      if (walks.finds_light(surfaces.begin(surface)[chosen - up_to.begin()], key)) return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const TimeGrid& grid) {
+  const ConnectedSurfaces surfaces(scene);
+  const std::vector<Instant> instants = instants_over(scene, grid);
+  const LightWalks walks(scene, tracer, instants);
+  const std::vector<char> dark = surely_dark(scene, surfaces, instants);
+  std::vector<char> is_reached(surfaces.count(), 0);
+  parallel_for(surfaces.count(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const auto s = static_cast<uint32_t>(i);
+      if (dark[s] || !walks.has_lights()) continue;
+      uint64_t hits = 0;
+      for (const uint32_t* side = surfaces.begin(s); side != surfaces.end(s); ++side)
+        hits += walks.hits()[*side];
+      is_reached[s] = hits >= kEnoughHits || finds_light(scene, surfaces, s, walks);
+    }
+  });
+  const auto on_reached = [&](uint32_t side) { return is_reached[surfaces.surface_of(side)] != 0; };
+  std::vector<char> covered(2 * scene.polygons.size(), 0);
+  parallel_for(covered.size(), 256, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const auto side = static_cast<uint32_t>(i);
+      if (!on_reached(side)) continue;
+      covered[side] = true;
+      for (uint64_t key = 0; covered[side] && key < kCoverRays; ++key) {
+        const uint32_t seen = walks.side_seen_from(side, key);
+        covered[side] = seen != kNone && !on_reached(seen);
       }
     }
   });
-
-  Surfaces surfaces(scene);
-  std::vector<double> area(sides, 0.0), hits(sides, 0.0);
-  double total_area = 0, total_hits = 0;
-  for (uint32_t side = 0; side < sides; ++side) {
-    const double a = polygon_area(scene, scene.polygons[side / 2]);
-    area[surfaces.find(side)] += a;
-    total_area += a;
-  }
-  for (const uint32_t side : met) {
-    if (side == kNone) continue;
-    hits[surfaces.find(side)] += 1;
-    total_hits += 1;
-  }
-  std::vector<bool> reached(sides);
-  for (uint32_t side = 0; side < sides; ++side) {
-    const uint32_t surface = surfaces.find(side);
-    const double expected = total_hits * area[surface] / total_area;
-    const bool too_small = expected < kEnough && total_hits > 0;
-    reached[side] = hits[surface] > kDarkShare * expected || (too_small && !surfaces.is_inside(side));
-  }
+  std::vector<bool> reached(2 * scene.polygons.size());
+  for (uint32_t side = 0; side < reached.size(); ++side) reached[side] = on_reached(side) && !covered[side];
   return reached;
 }
 

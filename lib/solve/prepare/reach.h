@@ -1,4 +1,5 @@
-// Which sides of polygons can light reach at all? The inside of a closed solid cannot, and must cost nothing.
+// The sides of polygons that light can reach. Others, such as the inside of a closed solid, must cost
+// nothing.
 #pragma once
 
 #include <vector>
@@ -9,10 +10,14 @@
 
 namespace strad {
 
-// [2 * polygon + side]. Walks of diffuse bounces leave the lights at time samples spread over the grid; a
-// connected surface (polygons that share edges, and the same side of all) is reached when walks meet it about
-// as often as its area lets expect. Surfaces too small to be judged so count as reached, but for the insides
-// of closed ones that no walk has met. Winding does not matter beyond that of neighbours.
+// [2 * polygon + side]. Connected surfaces (ConnectedSurfaces) are dark or reached as a whole, by instants
+// spread over the grid:
+// - a surface that encloses its space with no lamp near it inside is dark, by geometry;
+// - one that walks from the lights have met many times is reached;
+// - of any other, walks back from it are searched for light, more and more of them. It is dark only if
+//   thousands find none: less than a thousandth of its view can then hold any light.
+// Of a reached surface, a side of a polygon on which something stands, so that all of thousands of rays meet
+// only dark surfaces, is dark too.
 std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const TimeGrid& grid);
 
 }  // namespace strad

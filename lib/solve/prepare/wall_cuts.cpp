@@ -16,9 +16,9 @@
 namespace strad {
 namespace {
 
-// Fractions of the scene's diagonal: the least length and height of a wall, and the most thickness of a thin
-// solid.
-constexpr double kLong = 1.0 / 20, kTall = 1.0 / 50, kThin = 1.0 / 50;
+// Fractions of the scene's diagonal: the least size of a floor, the least length and height of a wall, and
+// the most thickness of a thin solid.
+constexpr double kLong = 1.0 / 20, kWide = 1.0 / 50, kTall = 1.0 / 50, kThin = 1.0 / 50;
 constexpr double kApart = 1.0 / 1000;  // contacts closer than this to an edge of the floor are not cut
 constexpr double kTouching = 1e-5;
 constexpr double kGap = 2e-6;  // between the two pieces, so that the mesh does not join their corners
@@ -83,7 +83,7 @@ std::vector<Flat> large_flats(const Scene& scene, const std::vector<Pose>& poses
       flat.corners.push_back(poses[body] * scene.vertices[polygon.corners[c]]);
       flat.box.add(flat.corners.back());
     }
-    if (flat.box.diagonal() < kLong * diagonal) continue;
+    if (flat.box.diagonal() < kWide * diagonal) continue;
     flat.normal = rotate(poses[body], polygon_normal(scene, polygon));
     flats.push_back(std::move(flat));
   }
@@ -107,7 +107,7 @@ std::optional<Contact> contact_of(const Flat& floor, const Flat& wall, double di
   const Stretch on_floor = within(floor.corners, floor.normal, at, direction, 0);
   const Stretch on_wall = within(wall.corners, wall.normal, at, direction, kTouching * diagonal);
   const double begin = std::max(on_floor.begin, on_wall.begin), end = std::min(on_floor.end, on_wall.end);
-  if (end - begin < kLong * diagonal) return std::nullopt;
+  if (floor.box.diagonal() < kLong * diagonal || end - begin < kWide * diagonal) return std::nullopt;
   const Vec3 middle = at + 0.5 * (begin + end) * direction;
   if (distance_to_edges(floor.corners, floor.normal, middle) < kApart * diagonal) return std::nullopt;
   double highest = 0;

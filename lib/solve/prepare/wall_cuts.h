@@ -9,10 +9,11 @@
 
 namespace strad {
 
-// The scene with polygons at rest cut where a wall at rest stands on them or passes through them. The contact
-// must be at least a twentieth of the scene's diagonal long, and the wall at least a fiftieth high. A wall is
-// a surface that light reaches on both sides, a surface with a dark room behind it, or a side of a solid
-// thinner than a fiftieth of the diagonal. Polygons are not cut along furniture.
+// The scene with polygons at rest cut where a wall at rest stands on them or passes through them. The polygon
+// must measure at least a twentieth of the scene's diagonal; the contact must be at least a fiftieth of it
+// long, and the wall as high. A wall is a surface that light reaches on both sides, a surface with a dark
+// room behind it, or a side of a solid thinner than a fiftieth of the diagonal. Polygons are not cut along
+// furniture.
 Scene cut_under_walls(Scene scene);
 
 }  // namespace strad

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../light/light_test_scene.h"
 
 namespace strad {
@@ -144,6 +146,69 @@ TEST(Reach, ALampInsideASmallBoxLightsItsInside) {
   const std::vector<bool> r = reached(scene);
   expect_sides(r, lantern, true, true);
   expect_sides(r, other, true, false);
+}
+
+// A wall across x between two y, z from 0 to 2, 0.1 m thick.
+void add_wall(Scene* scene, double x, double y0, double y1) {
+  add_box(scene, {x, y0, 0}, {x + 0.1, y1, 2}, false);
+}
+
+// The last of three rooms, with doors at opposite ends of the walls between: some light gets there, by many
+// reflections. Its lamp hangs in the first.
+TEST(Reach, ARoomBehindTwoDoorsIsLit) {
+  Scene scene;
+  scene.end = 1;
+  add_box(&scene, {0, 0, 0}, {12, 6, 2}, true);
+  add_wall(&scene, 4, 0, 5.6);
+  add_wall(&scene, 8, 0.4, 6);
+  const uint32_t book = add_box(&scene, {11.5, 5, 1}, {11.55, 5.2, 1.3}, false);
+  add_spot(&scene, {1, 1, 1.9}, {1, 1, 0}, 0.3, 0.5, {1, 1, 1});
+  const std::vector<bool> r = reached(scene);
+  expect_sides(r, 0, true, false);
+  expect_sides(r, book, true, false);
+}
+
+// Five sides of a box, open towards the floor that it stands on: sealed by contact, not by edges.
+TEST(Reach, TheInsideOfACoverOnTheFloorIsDark) {
+  Scene scene = lit_room();
+  const auto cover = static_cast<uint32_t>(scene.polygons.size());
+  add_box(&scene, {1, 1, 0}, {2, 2, 0.5}, false);
+  // The bottom is the one whose corners all lie on the floor.
+  const auto bottom =
+      std::find_if(scene.polygons.begin() + cover, scene.polygons.end(), [&](const Polygon& p) {
+        for (int c = 0; c < p.corner_count(); ++c)
+          if (scene.vertices[p.corners[c]].z != 0) return false;
+        return true;
+      });
+  ASSERT_NE(bottom, scene.polygons.end());
+  scene.polygons.erase(bottom);
+  const std::vector<bool> r = reached(scene);
+  for (uint32_t p = cover; p < cover + 5; ++p) {
+    EXPECT_TRUE(r[2 * p]) << p;
+    EXPECT_FALSE(r[2 * p + 1]) << p;
+  }
+}
+
+// A tile of a floor with a box on all of it.
+TEST(Reach, WhatIsCoveredIsDark) {
+  Scene scene;
+  scene.end = 1;
+  add_box(&scene, {0, 0, 0}, {4, 3, 2}, true);
+  scene.polygons.erase(std::find_if(scene.polygons.begin(), scene.polygons.end(), [&](const Polygon& p) {
+    for (int c = 0; c < p.corner_count(); ++c)
+      if (scene.vertices[p.corners[c]].z != 0) return false;
+    return true;
+  }));
+  const auto first = static_cast<uint32_t>(scene.polygons.size());
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 3; ++y) {
+      const Vec3 at{1.0 * x, 1.0 * y, 0};
+      add_polygon(&scene, {at, at + Vec3{1, 0, 0}, at + Vec3{1, 1, 0}, at + Vec3{0, 1, 0}});
+    }
+  add_box(&scene, {1, 1, 0}, {2, 2, 0.5}, false);
+  add_spot(&scene, {3.5, 2.5, 1.9}, {1.5, 1.5, 0.5}, 0.9, 1.2, {1, 1, 1});
+  const std::vector<bool> r = reached(scene);
+  for (uint32_t tile = 0; tile < 12; ++tile) EXPECT_EQ(r[2 * (first + tile)], tile != 4) << tile;
 }
 
 }  // namespace

@@ -91,13 +91,13 @@ TEST(WallCuts, FurnitureDoesNotCut) {
   EXPECT_EQ(floor_of(cut_under_walls(scene)).pieces, 1);
 }
 
-// The diagonal is 9.4 m: a step of 0.1 m is lower than a fiftieth, a post of 0.3 m shorter than a twentieth.
-TEST(WallCuts, LowAndShortThingsDoNotCut) {
+// The diagonal is 9.4 m: a step of 0.1 m is lower than a fiftieth, and so is a post of 0.15 m narrower.
+TEST(WallCuts, LowAndNarrowThingsDoNotCut) {
   Scene low = room();
   add_polygon(&low, {{4, 0, 0}, {4, 4, 0}, {4, 4, 0.1}, {4, 0, 0.1}});
   EXPECT_EQ(floor_of(cut_under_walls(low)).pieces, 1);
   Scene post = room();
-  add_polygon(&post, {{4, 2, 0}, {4, 2.3, 0}, {4, 2.3, 2}, {4, 2, 2}});
+  add_polygon(&post, {{4, 2, 0}, {4, 2.15, 0}, {4, 2.15, 2}, {4, 2, 2}});
   EXPECT_EQ(floor_of(cut_under_walls(post)).pieces, 1);
 }
 
