@@ -140,8 +140,9 @@ Bucket decode_bucket(const Slab& slab, ByteSpan content, const std::string& plac
   bucket.end_cell = from.number(slab.grid.cell_count(), "a cell");
   const int64_t exponent = from.signed_varint();
   if (exponent < kLowestExponent || exponent > kHighestExponent) from.fail("found a quantum out of range");
+  bucket.quantum = static_cast<int>(exponent);
   get_pieces(&from, slab, &bucket);
-  get_light(&from, slab.grid.order, std::ldexp(1.0, static_cast<int>(exponent)), &bucket);
+  get_light(&from, slab.grid.order, std::ldexp(1.0, bucket.quantum), &bucket);
   from.finish();
   return bucket;
 }

@@ -14,6 +14,7 @@ struct Bucket {
   std::vector<uint32_t> rows;             // per piece, ascending
   std::vector<Interval> pieces;           // in order of row, then time
   std::vector<Rgb> coefficients;
+  int quantum = 0;  // of what was decoded: the exponent of its light code's quantum
 };
 
 // The quantum of the light code is 2^exponent W / m^2 (light_code.h).

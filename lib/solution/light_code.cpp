@@ -7,7 +7,9 @@
 namespace strad {
 namespace {
 
-constexpr double kQuantum = 2e-4;  // of the mean irradiance; the largest error near zero is half of it
+// Half of the quantum is the largest error near zero. The quantum is a share of the mean irradiance, and of
+// what all but the darkest vertices have, down to a share of the mean.
+constexpr double kQuantum = 2e-4, kQuantumInTheDark = 2e-3, kDarkestVertices = 0.02, kDarkest = 1e-4;
 constexpr uint32_t kEvenCodes = 2u << kMantissaBits;  // smaller codes are multiples of the quantum
 constexpr int kLargestCode = 32767;
 
@@ -32,10 +34,12 @@ Mean row_integral(const TimeGrid& grid, const Field& field, uint32_t row) {
   return mean;
 }
 
-double mean_irradiance(const Slab& slab) {
+// The irradiance that the quantum is a share of, kQuantum.
+double typical_irradiance(const Slab& slab) {
   const auto& vertices = slab.mesh.vertices;
   std::vector<Mean> values(vertices.size());
   double sum = 0;
+  std::vector<double> lit;
   for (uint32_t v = 0; v < vertices.size(); ++v) {
     const Mean direct = row_integral(slab.grid, slab.direct, v);
     const Mean indirect = row_integral(slab.grid, slab.indirect, v);
@@ -49,15 +53,21 @@ double mean_irradiance(const Slab& slab) {
       largest = std::max(largest, value);
     }
     sum += largest;
+    if (largest > 0) lit.push_back(largest);
   }
+  if (lit.empty()) return 0;
+  const auto dark =
+      lit.begin() + static_cast<std::ptrdiff_t>(kDarkestVertices * static_cast<double>(lit.size()));
+  std::nth_element(lit.begin(), dark, lit.end());
+  const double mean = sum / static_cast<double>(vertices.size());
   const double length = std::max(slab_end(slab) - slab_begin(slab), 1e-30);
-  return vertices.empty() ? 0 : sum / (length * static_cast<double>(vertices.size()));
+  return std::clamp(kQuantumInTheDark / kQuantum * *dark, kDarkest * mean, mean) / length;
 }
 
 }  // namespace
 
 int quantum_exponent(const Slab& slab) {
-  const double quantum = kQuantum * mean_irradiance(slab);
+  const double quantum = kQuantum * typical_irradiance(slab);
   if (!(quantum > 0)) return kLowestExponent;
   return std::clamp(std::ilogb(quantum), kLowestExponent, kHighestExponent);
 }

@@ -15,7 +15,8 @@ constexpr int kMantissaBits = 8;
 constexpr int kLowestExponent = -160, kHighestExponent = 130;  // of the quantum 2^exponent
 
 // The quantum for a slab: the largest power of two up to 2e-4 of the mean irradiance over its vertices and
-// time, direct and indirect light together.
+// time, direct and indirect light together, and up to 2e-3 of what 98 % of the vertices exceed in the mean
+// over time. Of the latter, less than 1/10,000 of the mean counts as that.
 int quantum_exponent(const Slab& slab);
 
 // REQUIRES: `quantum` is a power of two.

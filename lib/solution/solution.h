@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct Slab {
   Mesh mesh;
   Field direct;    // surpluses of irradiance straight from spots and emitters
   Field indirect;  // surpluses of irradiance reflected at least once
+  // Exponent of the quantum that a stream had it in (light_code.h), so that it is written as it was read.
+  std::optional<int> quantum;
 };
 
 // Slabs in order of time, adjacent: slab i ends where slab i + 1 begins.

@@ -98,7 +98,7 @@ std::vector<Chunk> encode_slab(const Scene& scene, const Slab& slab) {
   chunks[0].type = kSlabChunk;
   put_grid(&chunks[0].content, slab.grid);
   put_mesh(&chunks[0].content, scene, slab.mesh);
-  const int exponent = quantum_exponent(slab);
+  const int exponent = slab.quantum ? *slab.quantum : quantum_exponent(slab);
   add_field(slab, slab.direct, kDirectChunk, exponent, &chunks);
   add_field(slab, slab.indirect, kIndirectChunk, exponent, &chunks);
   return chunks;

@@ -24,6 +24,7 @@ class Gatherer {
       if (slabs_.empty() || index_seen_) throw BadInput(place + ": no slab comes before it");
       auto& buckets = chunk.type == kDirectChunk ? direct_ : indirect_;
       buckets.push_back(decode_bucket(slabs_.back(), content, place));
+      slabs_.back().quantum = buckets.back().quantum;
       index_.push_back(bucket_entry(chunk.type, chunk.offset, content, place));
     } else if (chunk.type == kIndexChunk) {
       if (index_seen_ || slabs_.empty() || content != encode_index(index_))

@@ -24,8 +24,11 @@
 namespace strad {
 namespace {
 
-// Of a vertex: at the default error its noise is below 1 %, of a small face 3 %, fixed in time; who tolerates
-// more gets fewer rays, down to half.
+// Errors count relative to the local light, down to this share of what is bright.
+constexpr double kDark = 1e-4;
+
+// Rays per vertex: at the default error their noise is below 1 % (3 % for a small face) and the same at all
+// times. A larger tolerated error gives fewer, down to half.
 int rays_for(double error) { return static_cast<int>(512 * std::clamp(std::sqrt(0.02 / error), 0.5, 1.0)); }
 
 // Time samples of the animation: one for every 3.2 frames, at least 24.
@@ -93,6 +96,8 @@ IndirectOptions indirect_options(double diagonal, double error, double mean, flo
   options.largest_element = diagonal / 12;
   options.smallest_element = diagonal / 100;
   options.smoothed_up_to = diagonal / 20;
+  options.bright = static_cast<float>(kPi * mean);
+  options.dark = static_cast<float>(kDark) * options.bright;
   options.threshold = static_cast<float>(error * mean / 8);
   options.tolerance = tolerance;
   return options;
@@ -166,7 +171,8 @@ struct Prepared {
 
 RefinedLinks links_of(const Workspace& work, const Prepared& p, const SolveOptions& options,
                       const DirectPhase& direct, NodeTree* tree, SolveStats* stats) {
-  const LinkOptions link_options{options.error * p.expected_radiance / 8, p.diagonal / 150, options.residual};
+  const LinkOptions link_options{options.error * p.expected_radiance / 8, p.diagonal / 150,
+                                 p.expected_radiance, kDark, options.residual};
   const auto sums = [&](uint64_t* rays) { return form_factor_sums_by_rays(work, rays); };
   RefinedLinks links = refine_links(work, p.instants, link_options, direct, sums, tree);
   if (options.look_at_links) options.look_at_links(*tree, links.table);
@@ -189,24 +195,26 @@ struct LeafLight {
 LeafLight light_of_leaves(const Prepared& p, const SolveOptions& options, NodeTree* tree, DirectPhase* direct,
                           Field* direct_surpluses, PhaseClock* clock, SolveStats* stats) {
   const Workspace work{p.grid, *tree, p.tracer, p.swept};
-  LeafRadiance of_links;
-  std::optional<DirectOfLeaves> direct_of_leaves;
-  {
-    const RefinedLinks links = links_of(work, p, options, *direct, tree, stats);
-    FunctionBlock divided = direct_of_divided_leaves(work, *direct);
-    *direct_surpluses = direct->take_surpluses();
-    release_freed_memory();  // before the radiance of all leaves is allocated
-    direct_of_leaves.emplace(work, std::move(divided), *direct_surpluses);
-    of_links =
-        propagate_to_leaves(work, *direct_of_leaves, input_of(work, p.instants, links, options.residual));
-  }
-  release_freed_memory();
-  stats->iterations = of_links.iterations;
-  stats->residual = of_links.residual;
-  LeafLight light{std::move(of_links.radiance)};
+  LeafLight light;
+  const RefinedLinks links = links_of(work, p, options, *direct, tree, stats);
+  FunctionBlock divided = direct_of_divided_leaves(work, *direct);
+  *direct_surpluses = direct->take_surpluses();
+  release_freed_memory();  // before the radiance of all leaves is allocated
+  const DirectOfLeaves direct_of_leaves(work, std::move(divided), *direct_surpluses);
+  const LeafSource of_direct = [&](uint32_t leaf, uint32_t first_cell, uint32_t cells) {
+    return direct_of_leaves.reflected(leaf, first_cell, cells);
+  };
+  light.radiance = FunctionBlock(tree->leaf_count(), leaves_of(*tree), p.grid.sample_count());
+  set_to_source(work, of_direct, &light.radiance);
+  TransportInput input = input_of(work, p.instants, links, options.residual);
+  const Propagation propagation = add_reflected(work, of_direct, input, 1, &light.radiance);
+  stats->iterations = propagation.iterations;
+  stats->residual = propagation.residual;
   light.mean = mean_radiance(*tree, light.radiance);
   clock->begin(0.6, "bounces", &stats->bounces);
-  stats->bounces.rays = correct_by_bounces(work, *direct_of_leaves, &light.radiance);
+  input.residual = 1e-2;  // of a correction
+  const Bounces bounces = correct_by_bounces(work, direct_of_leaves, input, options.error, &light.radiance);
+  stats->bounces.rays = bounces.rays;
   return light;
 }
 
@@ -218,7 +226,7 @@ Field gather_surpluses(const SolveOptions& options, const NodeTree& tree, LeafLi
                          indirect_options(p->diagonal, options.error, light.mean, p->tolerance), &p->builder);
   indirect.run();
   stats->gather.rays = indirect.rays();
-  light.radiance = {};
+  light = {};
   release_freed_memory();
   return indirect.take_surpluses();
 }

@@ -67,7 +67,7 @@ END {
 END
 
 awk -f "$STRAD_SOURCE_DIR/scenes/halls/solids.awk" -f boxes.awk >boxes.obj
-strad-import boxes.obj | strad-motion boxes.motion | strad-solve -e 0.05 | strad-frame -f 1 --ply >boxes.ply
+strad-import boxes.obj | strad-motion boxes.motion | strad-solve -e 0.02 | strad-frame -f 1 --ply >boxes.ply
 header=$(sed '/^end_header$/q' boxes.ply | tr -d '\0')
 count=$(sed -n 's/^element vertex //p' <<<"$header")
 tail -c +$((${#header} + 2)) boxes.ply >bytes

@@ -185,7 +185,10 @@ void DirectPhase::run() {
     for (uint32_t v = first; v < first + count; ++v) values.push_back(irradiance(v, all_samples, rays));
     return values;
   };
-  undivided_rows_ = rows_of_undivided_faces(grid_, builder_, options_.tolerance, of_undivided, &rays_);
+  const auto tolerance = [&](uint32_t vertex, const std::vector<Rgb>&) {
+    return tolerance_of(builder_, vertex, options_.tolerance);
+  };
+  undivided_rows_ = rows_of_undivided_faces(grid_, builder_, tolerance, of_undivided, &rays_);
   evaluations_ += uint64_t{builder_.undivided_vertices()} * grid_.sample_count();
   std::vector<uint32_t> all_cells(grid_.cell_count());
   std::iota(all_cells.begin(), all_cells.end(), 0u);

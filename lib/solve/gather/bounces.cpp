@@ -10,7 +10,10 @@
 namespace strad {
 namespace {
 
-constexpr float kTrusted = 0.4f;  // of the view of a leaf unblocked: from here on its own rays are enough
+constexpr int kMostRounds = 6;
+constexpr double kContraction = 0.2;  // the least that a round is expected to leave of an error
+constexpr float kLeastShare = 0.67f;  // of radiance by rays that a correction along links may leave
+constexpr float kTrusted = 0.4f;      // of the view of a leaf unblocked: from here on its own rays are enough
 
 uint64_t sum_of(const std::vector<uint64_t>& counts) {
   return std::accumulate(counts.begin(), counts.end(), uint64_t{0});
@@ -22,12 +25,13 @@ struct BlockedLeaf {
   std::vector<float> unblocked;
 };
 
-// How far to believe in what a patch has, by how much of it is open: too few rays tell of a sliver.
+// The weight of what the rays of a patch have found, by the share of the view that is unblocked: where little
+// of the patch is exposed, few of its rays say anything.
 float trust_in(float unblocked) {
   return std::clamp((unblocked - kLeastUnblocked) / (kTrusted - kLeastUnblocked), 0.0f, 1.0f);
 }
 
-// Gives slivers the radiance of what is open around them: the foot of a box sees little else.
+// Gives patches with little exposed the radiance of the exposed patches around them.
 void fill_blocked_leaves(const NodeTree& tree, const std::vector<BlockedLeaf>& blocked,
                          FunctionBlock* radiance) {
   const std::vector<Node>& nodes = tree.nodes();
@@ -66,69 +70,133 @@ void fill_blocked_leaves(const NodeTree& tree, const std::vector<BlockedLeaf>& b
     for (size_t d = 0; d < filled[i].size(); ++d) radiance->set(blocked[i].node, d, filled[i][d]);
 }
 
-// One gather by rays over the radiance of all lights, in place: chunk after chunk, so that a chunk already
-// sees the light of those before it and no second copy is held.
-struct Bounce {
-  uint64_t rays = 0;
-  double direct = 0;  // of what is reflected now, in the units of total_of(): what was so for the first time
-};
-Bounce bounce(const Workspace& work, const DirectOfLeaves& direct, FunctionBlock* radiance) {
-  constexpr size_t kChunk = 512;  // fixed: results must not depend on the number of threads
-  const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, *radiance, kLeafRays);
-  const std::vector<uint32_t>& leaves = radiance->rows();
-  std::vector<uint64_t> rays(leaves.size(), 0);
-  std::vector<double> reflected_direct(leaves.size(), 0.0);
-  std::vector<std::vector<Rgb>> reflected(kChunk);
-  std::vector<std::vector<float>> unblocked(kChunk);
-  std::vector<BlockedLeaf> blocked;
-  for (size_t first = 0; first < leaves.size(); first += kChunk) {
-    const size_t count = std::min(kChunk, leaves.size() - first);
-    parallel_for(count, 8, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        const uint32_t leaf = leaves[first + i];
-        const LeafSurface surface = surface_of(work.tree, leaf);
-        GatheredFunction f = gather.over_leaf(leaf, &rays[first + i]);
-        const std::vector<Rgb> from_direct = direct.irradiance(leaf, 0, work.grid.cell_count());
-        reflected[i] = std::move(f.irradiance);
-        unblocked[i] = std::move(f.unblocked);
+// What the leaves reflect of direct light and of `radiance`, by one gather along rays.
+FunctionBlock reflected_by_rays(const Workspace& work, const DirectOfLeaves& direct,
+                                const FunctionBlock& radiance, uint64_t* rays) {
+  const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, radiance, kLeafRays);
+  const std::vector<uint32_t>& leaves = radiance.rows();
+  FunctionBlock reflected(work.tree.leaf_count(), leaves, radiance.sample_count());
+  std::vector<uint64_t> traced(leaves.size(), 0);
+  std::vector<std::vector<float>> unblocked(leaves.size());
+  parallel_for(leaves.size(), 8, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const uint32_t leaf = leaves[i];
+      const Rgb brdf = surface_of(work.tree, leaf).brdf;
+      GatheredFunction f = gather.over_leaf(leaf, &traced[i]);
+      const std::vector<Rgb> from_direct = direct.irradiance(leaf, 0, work.grid.cell_count());
+      for (size_t d = 0; d < f.irradiance.size(); ++d) {
         // Means over the leaf become means over what of it is exposed at that time sample.
-        for (size_t d = 0; d < reflected[i].size(); ++d) {
-          const Rgb brdf = (1 / std::max(unblocked[i][d], kLeastUnblocked)) * surface.brdf;
-          const Rgb once = brdf * from_direct[d];
-          reflected_direct[first + i] += surface.area * static_cast<double>(once.r + once.g + once.b);
-          reflected[i][d] = once + brdf * reflected[i][d];
-        }
+        const float exposed = std::max(f.unblocked[d], kLeastUnblocked);
+        reflected.set(leaf, d, (1 / exposed) * (brdf * (from_direct[d] + f.irradiance[d])));
       }
-    });
-    for (size_t i = 0; i < count; ++i) {
-      const uint32_t leaf = leaves[first + i];
-      for (size_t d = 0; d < reflected[i].size(); ++d) radiance->set(leaf, d, reflected[i][d]);
       if (leaf < work.tree.nodes().size() &&
-          *std::min_element(unblocked[i].begin(), unblocked[i].end()) < kTrusted)
-        blocked.push_back({leaf, std::move(unblocked[i])});
+          *std::min_element(f.unblocked.begin(), f.unblocked.end()) < kTrusted)
+        unblocked[i] = std::move(f.unblocked);
     }
+  });
+  std::vector<BlockedLeaf> blocked;
+  for (size_t i = 0; i < leaves.size(); ++i)
+    if (!unblocked[i].empty()) blocked.push_back({leaves[i], std::move(unblocked[i])});
+  fill_blocked_leaves(work.tree, blocked, &reflected);
+  *rays += sum_of(traced);
+  return reflected;
+}
+
+// By row: the mean over time of all channels.
+std::vector<double> means_of(const FunctionBlock& radiance) {
+  std::vector<double> means(radiance.rows().size());
+  parallel_for(means.size(), 64, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      for (size_t d = 0; d < radiance.sample_count(); ++d) {
+        const Rgb value = radiance.get(radiance.rows()[i], d);
+        means[i] += value.r + value.g + value.b;
+      }
+      means[i] /= 3 * static_cast<double>(radiance.sample_count());
+    }
+  });
+  return means;
+}
+
+// Adds to a bounce `next` of `radiance` what becomes of their difference along the links.
+void add_residual(const Workspace& work, const FunctionBlock& radiance, const TransportInput& input,
+                  FunctionBlock* next) {
+  const LeafSource residual = [&](uint32_t leaf, uint32_t first_cell, uint32_t cells) {
+    const auto order = static_cast<size_t>(work.grid.order);
+    std::vector<Rgb> r(cells * order);
+    for (size_t d = 0; d < r.size(); ++d)
+      r[d] = next->get(leaf, first_cell * order + d) - radiance.get(leaf, first_cell * order + d);
+    return r;
+  };
+  add_reflected(work, residual, input, kLeastShare, next);
+}
+
+// Rms over area of the change of the mean radiance of groups of leaves, each relative to its own.
+double change_of_groups(const NodeTree& tree, const FunctionBlock& before, const FunctionBlock& after,
+                        double least) {
+  constexpr double kShare = 1.0 / 64;  // of all area, what a group grows up to
+  const std::vector<Node>& nodes = tree.nodes();
+  const std::vector<double> was = means_of(before), now = means_of(after);
+  double all = 0;
+  for (const Node& node : nodes)
+    if (node.parent == kNone) all += node.area;
+  std::vector<double> area(nodes.size(), 0), old_sum(nodes.size(), 0), new_sum(nodes.size(), 0);
+  for (size_t i = 0; i < now.size(); ++i) {
+    const uint32_t leaf = after.rows()[i];
+    uint32_t n = leaf < nodes.size() ? leaf : tree.node_of_face(leaf - static_cast<uint32_t>(nodes.size()));
+    while (nodes[n].parent != kNone && nodes[nodes[n].parent].area < kShare * all) n = nodes[n].parent;
+    const double a = surface_of(tree, leaf).area;
+    area[n] += a, old_sum[n] += a * was[i], new_sum[n] += a * now[i];
   }
-  fill_blocked_leaves(work.tree, blocked, radiance);
-  return {sum_of(rays), std::accumulate(reflected_direct.begin(), reflected_direct.end(), 0.0)};
+  double sum = 0;
+  for (size_t n = 0; n < nodes.size(); ++n) {
+    if (!(area[n] > 0)) continue;
+    const double change = (new_sum[n] - old_sum[n]) / std::max({new_sum[n], old_sum[n], least * area[n]});
+    sum += area[n] * change * change;
+  }
+  return all > 0 ? std::sqrt(sum / all) : 0;
+}
+
+// Rms over area of the change of leaves, each relative to its own radiance, or to `least` if that is more.
+double relative_change(const NodeTree& tree, const FunctionBlock& after, const std::vector<double>& before,
+                       double least) {
+  const std::vector<double> now = means_of(after);
+  double sum = 0, area = 0;
+  for (size_t i = 0; i < now.size(); ++i) {
+    const double a = surface_of(tree, after.rows()[i]).area;
+    const double change = (now[i] - before[i]) / std::max({now[i], before[i], least});
+    sum += a * change * change;
+    area += a;
+  }
+  return area > 0 ? std::sqrt(sum / area) : 0;
 }
 
 }  // namespace
 
-uint64_t correct_by_bounces(const Workspace& work, const DirectOfLeaves& direct, FunctionBlock* radiance) {
-  const Bounce first = bounce(work, direct, radiance);
-  const double before = total_of(work.tree, *radiance);
-  const Bounce second = bounce(work, direct, radiance);
-  const double after = total_of(work.tree, *radiance);
-  if (!(after > 0)) return first.rays + second.rays;
-  // L = D + T L: the share of light that was reflected before is what a bounce multiplies errors by. Done in
-  // place it does better, for leaves see ever more that was corrected: e' = f (e - e0) along the way.
-  const double f = std::clamp(1 - second.direct / after, 1e-3, 0.95);
-  const double factor = 1 - (1 - f) * std::expm1(f) / f;
-  const auto scale = static_cast<float>(1 + (after - before) / after * factor / (1 - factor));
-  for (const uint32_t leaf : radiance->rows())
-    for (size_t d = 0; d < radiance->sample_count(); ++d)
-      radiance->set(leaf, d, scale * radiance->get(leaf, d));
-  return first.rays + second.rays;
+Bounces correct_by_bounces(const Workspace& work, const DirectOfLeaves& direct, const TransportInput& input,
+                           double error, FunctionBlock* radiance) {
+  Bounces bounces;
+  const double least = 1e-4 * mean_radiance(work.tree, *radiance);
+  bool along_links = true;
+  for (double last = 1; bounces.rounds < kMostRounds; last = bounces.change) {
+    FunctionBlock next = reflected_by_rays(work, direct, *radiance, &bounces.rays);
+    ++bounces.rounds;
+    if (along_links) {
+      const std::vector<double> before = means_of(next);
+      add_residual(work, *radiance, input, &next);
+      bounces.change = relative_change(work.tree, next, before, least);
+    } else {
+      bounces.change = change_of_groups(work.tree, *radiance, next, least);
+    }
+    *radiance = std::move(next);
+    if (!along_links) {
+      if (bounces.change < error / 2) break;
+    } else if (bounces.change * std::min(1.0, std::max(bounces.change / last, kContraction)) < error / 4) {
+      break;  // the next correction would be smaller by about as much as this one is than the last
+    } else if (bounces.rounds > 1 && bounces.change > last / 2) {
+      along_links = false;  // the links are too coarse to be of any more help
+    }
+  }
+  return bounces;
 }
 
 }  // namespace strad

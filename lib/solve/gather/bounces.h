@@ -4,13 +4,22 @@
 #include <cstdint>
 
 #include "solve/links/direct_of_leaves.h"
+#include "solve/links/leaf_radiance.h"
 
 namespace strad {
 
+struct Bounces {
+  uint64_t rays = 0;
+  int rounds = 0;
+  double change = 0;  // of the last round: rms over area, each leaf relative to its own radiance
+};
+
 // Takes out what is left of the errors of the links. Each is small, but thousands have the same sign. A
-// bounce by rays is unbiased, so each one multiplies the error by the share of light that was reflected more
-// than once. After two bounces the rest of the geometric series is added in one step. Returns the number of
-// rays.
-uint64_t correct_by_bounces(const Workspace& work, const DirectOfLeaves& direct, FunctionBlock* radiance);
+// gather along rays is unbiased: what it finds more or less than is there, the residual, is propagated along
+// the links and added (iterative refinement: Wilkinson 1963), which multiplies the error by the relative
+// error of the links. Where that does not help, in rooms of which the links know little, bounces go on by
+// rays alone. It ends when the change is below a share of `error`. `input`: the links.
+Bounces correct_by_bounces(const Workspace& work, const DirectOfLeaves& direct, const TransportInput& input,
+                           double error, FunctionBlock* radiance);
 
 }  // namespace strad

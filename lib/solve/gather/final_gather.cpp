@@ -39,11 +39,16 @@ Vec3 FinalGather::direction(const Receiver& receiver, int ray) const {
 Vec3 FinalGather::origin(const Receiver& receiver, int ray) const {
   Vec3 at = receiver.position;
   if (receiver.spread) {
-    const Point2 xi = r2_point(static_cast<uint32_t>(ray), unit_from(mix64(receiver.seed + 2)),
-                               unit_from(mix64(receiver.seed + 3)));
-    // Not in step with the directions, which follow the same sequence.
-    const uint64_t h = hash_of(receiver.seed, static_cast<uint64_t>(ray));
-    at = point_on_patch(receiver.patch, 0.02 + 0.96 * xi.v, 0.02 + 0.96 * unit_from(h));
+    // Other ratios than those of the directions, so that neither coordinate is in step with one of them: two
+    // of the R4 sequence (Roberts 2018), powers of 1 / 1.1673.
+    constexpr double kRatios[2] = {0.6287067210378087, 0.5385972572236101};
+    constexpr double kRim = 0.002;  // not on the rim, where surfaces meet
+    double xi[2];
+    for (uint64_t i = 0; i < 2; ++i) {
+      const double shifted = unit_from(mix64(receiver.seed + 2 + i)) + kRatios[i] * (ray + 1);
+      xi[i] = kRim + (1 - 2 * kRim) * (shifted - std::floor(shifted));
+    }
+    at = point_on_patch(receiver.patch, xi[0], xi[1]);
   }
   return at + tracer_.offset() * receiver.normal;
 }

@@ -102,6 +102,12 @@ bool IndirectPhase::is_partly_blocked(uint32_t element) const {
   return false;
 }
 
+// What an error counts where the irradiance is this: 1 where it is bright.
+float IndirectPhase::weight_of(Rgb irradiance) const {
+  const float local = std::max(max_channel(irradiance), options_.dark);
+  return local < options_.bright ? options_.bright / local : 1;
+}
+
 // Do the vertices that splitting this element has added differ from what their parents interpolated?
 bool IndirectPhase::worth_splitting(uint32_t element) const {
   const Mesh& mesh = builder_.mesh();
@@ -126,7 +132,8 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
         unblocked = std::min(unblocked, unblocked_of(functions_[mesh.vertices[middles[m]].parents[p]], i));
       if (unblocked < 0.5f) continue;  // buried: what is known there is not light
       const Rgb surplus = own.irradiance[i] - interpolated[i];
-      if (std::max({std::abs(surplus.r), std::abs(surplus.g), std::abs(surplus.b)}) * scale >
+      if (std::max({std::abs(surplus.r), std::abs(surplus.g), std::abs(surplus.b)}) * scale *
+              weight_of(interpolated[i]) >
           options_.threshold)
         return true;
     }
@@ -136,10 +143,13 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
 
 void IndirectPhase::run() {
   const Mesh& mesh = builder_.mesh();
+  const Tolerance tolerance = [&](uint32_t vertex, const std::vector<Rgb>& irradiance) {
+    return tolerance_for(vertex, irradiance);
+  };
   undivided_rows_ = rows_of_undivided_faces(
-      grid_, builder_, options_.tolerance,
+      grid_, builder_, tolerance,
       [&](uint32_t face, uint64_t* rays) { return gather_undivided_face(face, rays); }, &rays_);
-  undivided_rows_ = denoise_uniform_faces(grid_, builder_, options_.tolerance, std::move(undivided_rows_));
+  undivided_rows_ = denoise_uniform_faces(grid_, builder_, tolerance, std::move(undivided_rows_));
   release_freed_memory();  // their rays and rows were many small things
   std::vector<uint32_t> level, vertices;
   for (uint32_t f = builder_.undivided_faces(); f < mesh.faces.size(); ++f) {
@@ -274,6 +284,14 @@ std::vector<uint32_t> IndirectPhase::last_users_of_functions() const {
   return last_user;
 }
 
+// W / m^2: by the mean over time of what an error counts.
+float IndirectPhase::tolerance_for(uint32_t vertex, const std::vector<Rgb>& irradiance) const {
+  double sum = 0;
+  for (const Rgb& e : irradiance) sum += weight_of(e);
+  const auto weight = static_cast<float>(sum / static_cast<double>(irradiance.size()));
+  return tolerance_of(builder_, vertex, options_.tolerance / weight);
+}
+
 Field IndirectPhase::take_surpluses() {
   const Mesh& mesh = builder_.mesh();
   functions_.resize(mesh.vertices.size());
@@ -302,11 +320,12 @@ Field IndirectPhase::take_surpluses() {
       continue;
     }
     std::vector<Rgb> row = own.unpacked();
+    const std::vector<Rgb> irradiance = row;
     if (parent_count(mesh.vertices[v]) > 0) {
       const std::vector<Rgb> mean = parents_mean(v);
       for (size_t i = 0; i < row.size(); ++i) row[i] = row[i] - mean[i];
     }
-    append_row(grid_, row, {}, tolerance_of(builder_, v, options_.tolerance), &field);
+    append_row(grid_, row, {}, tolerance_for(v, irradiance), &field);
   }
   return field;
 }

@@ -19,6 +19,9 @@ struct IndirectOptions {
   double smoothed_up_to = 0.4;     // m: neighbours farther apart differ by light more than by noise
   float tolerance = 0;             // W / m^2: of the functions that are kept
   float threshold = 0;  // split while surplus radiance * sqrt(area / total area) exceeds it, W / (sr m^2)
+  // W / m^2: what is darker than `bright` counts relative to its own irradiance, or to `dark` if that is
+  // more.
+  float bright = 0, dark = 0;
 };
 
 class IndirectPhase {
@@ -43,6 +46,8 @@ class IndirectPhase {
   void denoise();
   std::vector<std::vector<Rgb>> gather_undivided_face(uint32_t face, uint64_t* rays) const;
   VertexFunction filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const;
+  float weight_of(Rgb irradiance) const;
+  float tolerance_for(uint32_t vertex, const std::vector<Rgb>& irradiance) const;
   std::vector<Rgb> parents_mean(uint32_t vertex) const;
   std::vector<uint32_t> last_users_of_functions() const;
 

@@ -35,4 +35,11 @@ std::vector<Rgb> DirectOfLeaves::irradiance(uint32_t leaf, uint32_t first, uint3
   return values;
 }
 
+std::vector<Rgb> DirectOfLeaves::reflected(uint32_t leaf, uint32_t first, uint32_t count) const {
+  std::vector<Rgb> values = irradiance(leaf, first, count);
+  const Rgb brdf = surface_of(work_.tree, leaf).brdf;
+  for (Rgb& value : values) value = brdf * value;
+  return values;
+}
+
 }  // namespace strad

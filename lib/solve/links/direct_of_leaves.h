@@ -24,6 +24,8 @@ class DirectOfLeaves {
 
   // At the time samples of `count` cells from `first` on, W / m^2.
   std::vector<Rgb> irradiance(uint32_t leaf, uint32_t first, uint32_t count) const;
+  // The same as the radiance that it is reflected with, W / (sr m^2).
+  std::vector<Rgb> reflected(uint32_t leaf, uint32_t first, uint32_t count) const;
 
  private:
   const Workspace work_;

@@ -1,19 +1,27 @@
-// The radiance that the leaves reflect at all time samples, by propagation along links.
+// Propagation of light along links, from leaf to leaf, at all time samples.
 #pragma once
 
-#include "solve/links/direct_of_leaves.h"
+#include <functional>
+
+#include "solve/links/leaves.h"
 #include "solve/links/transport.h"
 
 namespace strad {
 
-struct LeafRadiance {
-  FunctionBlock radiance;  // W / (sr m^2), reflected
-  int iterations = 0;      // of the block of time samples with the most
-  double residual = 0;     // of the block with the largest
+// What a leaf sends out by itself at the time samples of `cells` cells from `first_cell` on, W / (sr m^2).
+using LeafSource = std::function<std::vector<Rgb>(uint32_t leaf, uint32_t first_cell, uint32_t cells)>;
+
+// Sets the radiance of all leaves to what the source sends out.
+void set_to_source(const Workspace& work, const LeafSource& source, FunctionBlock* radiance);
+
+struct Propagation {
+  int iterations = 0;   // of the block of time samples that took most
+  double residual = 0;  // the largest of all blocks
 };
 
-// Propagates light along links at all time samples, block after block. `input.direct` need not be set.
-LeafRadiance propagate_to_leaves(const Workspace& work, const DirectOfLeaves& direct,
-                                 const TransportInput& input);
+// Adds to `radiance` what the leaves reflect, once or more often, of what `source` sends out. The source may
+// be negative, and may depend on `radiance` at its own time samples. `input.direct` need not be set.
+Propagation add_reflected(const Workspace& work, const LeafSource& source, const TransportInput& input,
+                          float at_least, FunctionBlock* radiance);
 
 }  // namespace strad

@@ -7,7 +7,9 @@
 namespace strad {
 namespace {
 
-constexpr uint32_t kProbeSamples = 32;  // time samples at which the oracle knows the light
+constexpr uint32_t kProbeSamples = 32;
+// In the dark, links need only be right enough to tell rays where light comes from; bounces correct the rest.
+constexpr double kLocalLooseness = 16;  // time samples at which the oracle knows the light
 constexpr size_t kBlock = 8;            // of them, propagated together
 
 std::vector<uint32_t> spread_samples(uint32_t count, uint32_t wanted) {
@@ -23,8 +25,7 @@ void update(const TransportInput& input, const std::vector<uint32_t>& probe_samp
     const auto begin = probe_samples.begin() + static_cast<std::ptrdiff_t>(first);
     const std::vector<uint32_t> block(
         begin, begin + static_cast<std::ptrdiff_t>(std::min(kBlock, probe_samples.size() - first)));
-    refinement->update_radiance(first, block.size(),
-                                propagate(input, block, static_cast<uint32_t>(first)).radiance);
+    refinement->update_light(first, block.size(), propagate(input, block, static_cast<uint32_t>(first)));
   }
 }
 
@@ -57,7 +58,9 @@ RefinedLinks refine_links(const Workspace& work, const std::vector<Instant>& ins
     links.table = make_link_table(work.grid, static_cast<uint32_t>(tree->nodes().size()), refinement.links());
     links.reflections = reflections_of(*tree);
     links.form_factor_sums = form_factor_sums(&links.form_factor_rays);
-    if (factor > 1) update(input, probe_samples, &refinement);
+    if (factor == 1) continue;
+    update(input, probe_samples, &refinement);
+    refinement.weigh_by_local_light(options.mean / kLocalLooseness, options.dark);
   }
   links.count = refinement.links().size();
   links.counts = refinement.counts();

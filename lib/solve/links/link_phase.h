@@ -18,6 +18,8 @@ namespace strad {
 struct LinkOptions {
   double threshold = 0;        // W / (sr m^2), of the last refinement (RefinementOptions)
   double smallest_radius = 0;  // m
+  double mean = 0;             // W / (sr m^2), of the scene
+  double dark = 1e-4;          // of the brightest tenth: what is darker counts as that
   double residual = 1e-4;      // of propagation (TransportInput)
 };
 

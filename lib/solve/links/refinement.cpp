@@ -44,6 +44,7 @@ void Refinement::describe_new_nodes(size_t first) {
   direct_.resize(tree_.slot_count() * probe_samples_.size());
   brightest_.resize(nodes.size() * probe_samples_.size());
   spread_.resize(nodes.size() * probe_samples_.size());
+  weight_.resize(nodes.size() * probe_samples_.size(), 1);
   parallel_for(nodes.size() - first, 4, [&](size_t begin, size_t end) {
     for (size_t n = first + begin; n < first + end; ++n)
       nodes[n].is_cluster() ? describe_cluster(static_cast<uint32_t>(n))
@@ -54,6 +55,7 @@ void Refinement::describe_new_nodes(size_t first) {
     if (nodes[n].parent == kNone) continue;
     const Node& parent = tree_.nodes()[nodes[n].parent];
     for (size_t i = 0; i < probe_samples_.size(); ++i) {
+      weight_[n * probe_samples_.size() + i] = weight_[nodes[n].parent * probe_samples_.size() + i];
       float of_parent = 0;
       for (size_t s = 0; s < (parent.is_cluster() ? kLobes : 1u); ++s)
         of_parent = std::max(of_parent, largest(direct(parent.slot + s, i)));
@@ -130,26 +132,70 @@ void Refinement::describe_cluster(uint32_t n) {
   }
 }
 
-void Refinement::update_radiance(size_t first, size_t count, const std::vector<Rgb>& radiance) {
-  for (size_t n = 0; n < tree_.nodes().size(); ++n) {
-    const Node& node = tree_.nodes()[n];
+void Refinement::update_light(size_t first, size_t count, const NodeLight& light) {
+  const std::vector<Node>& nodes = tree_.nodes();
+  const size_t probes = probe_samples_.size();
+  local_.resize(nodes.size() * probes);
+  std::vector<float> area(nodes.size(), 0);
+  for (size_t n = nodes.size(); n-- > 0;) {  // children come after their parents
+    const Node& node = nodes[n];
+    area[n] += node.is_leaf() ? std::max(node.area, 1e-20f) : 0;
     for (size_t d = 0; d < count; ++d) {
-      float most = 0;
-      for (size_t s = 0; s < (node.is_cluster() ? kLobes : 1u); ++s)
-        most = std::max(most, max_channel(radiance[(node.slot + s) * count + d]));
-      brightest_[n * probe_samples_.size() + first + d] = most;
+      float& local = local_[n * probes + first + d];
+      if (node.is_leaf()) local = 0;
+      float brightest = 0;
+      for (size_t s = 0; s < (node.is_cluster() ? kLobes : 1u); ++s) {
+        const Rgb radiance = light.radiance[(node.slot + s) * count + d];
+        brightest = std::max(brightest, max_channel(radiance));
+        if (!node.is_leaf()) continue;
+        const float share = node.is_cluster() ? tree_.cluster(node).lobe_share[s] : 1;
+        const Rgb seen = static_cast<float>(1 / kPi) * light.irradiance[(node.slot + s) * count + d];
+        local += share * std::max(max_channel(radiance), max_channel(seen));
+      }
+      brightest_[n * probes + first + d] = brightest;
+      if (node.is_leaf()) local *= area[n];
+      if (node.parent != kNone) local_[node.parent * probes + first + d] += local;
+      local /= area[n];
     }
+    if (node.parent != kNone) area[node.parent] += area[n];
   }
 }
 
+void Refinement::weigh_by_local_light(double mean, double dark) {
+  const std::vector<Node>& nodes = tree_.nodes();
+  const size_t probes = probe_samples_.size();
+  // The brightest tenth of the area, at all probe time samples together.
+  std::vector<std::pair<float, float>> by_brightness;
+  double area = 0, bright_area = 0, bright = 0;
+  for (size_t n = 0; n < nodes.size(); ++n) {
+    if (!nodes[n].is_leaf()) continue;
+    for (size_t i = 0; i < probes; ++i) by_brightness.emplace_back(local_[n * probes + i], nodes[n].area);
+    area += static_cast<double>(probes) * nodes[n].area;
+  }
+  std::sort(by_brightness.begin(), by_brightness.end());
+  while (!by_brightness.empty() && bright_area < 0.1 * area) {
+    bright += double{by_brightness.back().first} * by_brightness.back().second;
+    bright_area += by_brightness.back().second;
+    by_brightness.pop_back();
+  }
+  const double floor = bright_area > 0 ? dark * bright / bright_area : 0;
+  weight_.assign(nodes.size() * probes, 1);
+  if (!(floor > 0)) return;
+  for (size_t i = 0; i < weight_.size(); ++i)
+    weight_[i] = static_cast<float>(std::max(1.0, mean / std::max(double{local_[i]}, floor)));
+}
+
+// Radiance weighted by what errors count at the receiver at that time.
 Refinement::Brightness Refinement::brightness(const Link& link) const {
   Brightness b;
   const auto order = static_cast<uint32_t>(grid_.order);
-  for (size_t i = 0; i < probe_samples_.size(); ++i) {
+  const size_t probes = probe_samples_.size();
+  for (size_t i = 0; i < probes; ++i) {
     const uint32_t cell = probe_samples_[i] / order;
     if (cell < link.interval.cell || cell >= link.interval.cell + link.interval.cell_count()) continue;
-    b.radiance = std::max(b.radiance, brightest_[link.emitter * probe_samples_.size() + i]);
-    b.spread = std::max(b.spread, spread_[link.emitter * probe_samples_.size() + i]);
+    const float weight = weight_[link.receiver * probes + i];
+    b.radiance = std::max(b.radiance, weight * brightest_[link.emitter * probes + i]);
+    b.spread = std::max(b.spread, weight * spread_[link.emitter * probes + i]);
   }
   return b;
 }

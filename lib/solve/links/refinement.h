@@ -9,6 +9,7 @@
 #include "solve/links/kernel.h"
 #include "solve/links/link_table.h"
 #include "solve/links/nodes.h"
+#include "solve/links/transport.h"
 
 namespace strad {
 
@@ -32,8 +33,11 @@ class Refinement {
   // `update_radiance`.
   void refine(const RefinementOptions& options);
 
-  // Takes the radiance that `propagate` has found for the probe time samples first .. first + count - 1.
-  void update_radiance(size_t first, size_t count, const std::vector<Rgb>& radiance);
+  // Takes the light that `propagate` has found for the probe time samples first .. first + count - 1.
+  void update_light(size_t first, size_t count, const NodeLight& light);
+  // From now on errors count relative to the light around a receiver where that is below `mean`, the mean
+  // radiance of the scene. `dark`: a share of the scene's brightest tenth; what is darker counts as that.
+  void weigh_by_local_light(double mean, double dark);
 
   const std::vector<Link>& links() const { return links_; }
   // Radiance that a slot reflects of direct light at a probe time sample.
@@ -77,6 +81,8 @@ class Refinement {
   std::vector<Rgb> direct_;       // [slot][probe time sample]: radiance reflected of direct light
   std::vector<float> brightest_;  // [node][probe time sample]: radiance, all light, the brightest lobe's
   std::vector<float> spread_;     // [node][probe time sample]: rms difference of its parts' radiance
+  std::vector<float> local_;      // [node][probe time sample]: radiance around it, mean over its surfaces
+  std::vector<float> weight_;     // [node][probe time sample]: what an error there counts
   RefinementCounts counts_;
 };
 

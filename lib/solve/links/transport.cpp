@@ -105,7 +105,7 @@ class RadianceChange {
     const Rgb& before = *radiance;
     change_ += area * static_cast<double>(std::abs(now.r - before.r) + std::abs(now.g - before.g) +
                                           std::abs(now.b - before.b));
-    total_ += area * static_cast<double>(now.r + now.g + now.b);
+    total_ += area * static_cast<double>(std::abs(now.r) + std::abs(now.g) + std::abs(now.b));
     *radiance = now;
   }
   double relative() const { return total_ > 0 ? change_ / total_ : 0; }

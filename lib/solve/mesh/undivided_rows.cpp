@@ -16,7 +16,7 @@ UndividedVertices vertices_of_undivided(const Mesh& mesh, uint32_t face) {
   return {root.vertices[0], is_uniform(root) ? 1 : static_cast<uint32_t>(root.corner_count())};
 }
 
-Field rows_of_undivided_faces(const TimeGrid& grid, const MeshBuilder& builder, float tolerance,
+Field rows_of_undivided_faces(const TimeGrid& grid, const MeshBuilder& builder, const Tolerance& tolerance,
                               const FindUndivided& find, uint64_t* rays) {
   constexpr uint32_t kChunk = 256;  // faces held in full at once
   Field field;
@@ -31,8 +31,10 @@ Field rows_of_undivided_faces(const TimeGrid& grid, const MeshBuilder& builder, 
     });
     for (uint32_t i = 0; i < count; ++i) {
       uint32_t vertex = vertices_of_undivided(builder.mesh(), first + i).first;
-      for (const std::vector<Rgb>& row : rows[i])
-        append_row(grid, row, {}, tolerance_of(builder, vertex++, tolerance), &field);
+      for (const std::vector<Rgb>& row : rows[i]) {
+        append_row(grid, row, {}, tolerance(vertex, row), &field);
+        ++vertex;
+      }
       *rays += traced[i];
     }
   }
@@ -80,7 +82,8 @@ double usual_difference(const TimeGrid& grid, const Field& field,
 
 }  // namespace
 
-Field denoise_uniform_faces(const TimeGrid& grid, const MeshBuilder& builder, float tolerance, Field field) {
+Field denoise_uniform_faces(const TimeGrid& grid, const MeshBuilder& builder, const Tolerance& tolerance,
+                            Field field) {
   constexpr size_t kRows = 1024;  // held in full at once
   // The rows of uniform faces come first, one each, so a face's number is its row's.
   const std::vector<std::vector<uint32_t>> neighbours = builder.curved_neighbours();
@@ -105,7 +108,7 @@ Field denoise_uniform_faces(const TimeGrid& grid, const MeshBuilder& builder, fl
       });
       for (size_t i = 0; i < rows.size(); ++i) {
         while (smoothed.row_count() < curved[first + i]) copy_row(field, smoothed.row_count(), &smoothed);
-        append_row(grid, rows[i], {}, tolerance_of(builder, curved[first + i], tolerance), &smoothed);
+        append_row(grid, rows[i], {}, tolerance(curved[first + i], rows[i]), &smoothed);
       }
     }
     while (smoothed.row_count() < field.row_count()) copy_row(field, smoothed.row_count(), &smoothed);

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "refined.h"
+#include "solve/links/direct_of_leaves.h"
 
 namespace strad {
 namespace {
@@ -101,15 +104,47 @@ TEST(LeafRadiance, IsTheGeometricSeriesInAFurnace) {
   input.grid = &lit.work.grid, input.tree = &tree, input.links = &table;
   input.instants = &lit.refined.bench.instants, input.reflections = &reflections;
   input.form_factor_sums = &ones;
-  const LeafRadiance found = propagate_to_leaves(lit.work, lit.direct, input);
+  const LeafSource source = [&](uint32_t leaf, uint32_t first_cell, uint32_t cells) {
+    return lit.direct.reflected(leaf, first_cell, cells);
+  };
+  FunctionBlock radiance(tree.leaf_count(), leaves_of(tree), lit.work.grid.sample_count());
+  set_to_source(lit.work, source, &radiance);
+  for (const uint32_t leaf : leaves_of(tree)) ASSERT_NEAR(radiance.get(leaf, 3).g, 0.5, 0.01);  // rho E / pi
+  const Propagation found = add_reflected(lit.work, source, input, 1, &radiance);
   for (const uint32_t leaf : leaves_of(tree))
     for (size_t d = 0; d < lit.work.grid.sample_count(); ++d)
-      ASSERT_NEAR(found.radiance.get(leaf, d).g, 1, 0.01) << "leaf " << leaf;
-  EXPECT_NEAR(mean_radiance(tree, found.radiance), 1, 0.01);
+      ASSERT_NEAR(radiance.get(leaf, d).g, 1, 0.01) << "leaf " << leaf;
+  EXPECT_NEAR(mean_radiance(tree, radiance), 1, 0.01);
   EXPECT_LT(found.residual, input.residual);
   // 0.5^i of what is to come is below the residual, 1e-3, from i = 10 on.
   EXPECT_GE(found.iterations, 8);
   EXPECT_LE(found.iterations, 12);
+}
+
+// A correction may be negative, but leaves no radiance below a share of what it was.
+TEST(LeafRadiance, ACorrectionIsLimited) {
+  const Lit lit(furnace(), {0.05});
+  const NodeTree& tree = lit.work.tree;
+  const LinkTable table =
+      make_link_table(lit.work.grid, static_cast<uint32_t>(tree.nodes().size()), lit.refined.links());
+  const std::vector<ClusterReflection> reflections = reflections_of(tree);
+  const std::vector<float> ones(tree.nodes().size(), 1.0f);
+  TransportInput input;
+  input.grid = &lit.work.grid, input.tree = &tree, input.links = &table;
+  input.instants = &lit.refined.bench.instants, input.reflections = &reflections;
+  input.form_factor_sums = &ones;
+  // Every leaf sends out s by itself, so reflects s (0.5 + 0.25 + ...) = s in the end.
+  for (const float s : {-0.1f, -0.8f, 2.0f}) {
+    const LeafSource source = [&](uint32_t, uint32_t, uint32_t cells) {
+      return std::vector<Rgb>(cells * static_cast<size_t>(lit.work.grid.order), Rgb{s, s, s});
+    };
+    FunctionBlock radiance(tree.leaf_count(), leaves_of(tree), lit.work.grid.sample_count());
+    for (const uint32_t leaf : leaves_of(tree))
+      for (size_t d = 0; d < radiance.sample_count(); ++d) radiance.set(leaf, d, {1, 1, 1});
+    add_reflected(lit.work, source, input, 0.5f, &radiance);
+    for (const uint32_t leaf : leaves_of(tree))
+      ASSERT_NEAR(radiance.get(leaf, 3).g, std::clamp(1 + s, 0.5f, 2.0f), 0.01) << s;
+  }
 }
 
 }  // namespace

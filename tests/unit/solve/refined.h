@@ -36,9 +36,12 @@ struct Refined {
   }
   // As if all surfaces reflected `radiance` at all time samples.
   void light_all(float radiance) {
-    const std::vector<Rgb> all(bench.nodes->slot_count() * probe_samples.size(),
-                               Rgb{radiance, radiance, radiance});
-    refinement->update_radiance(0, probe_samples.size(), all);
+    const size_t count = bench.nodes->slot_count() * probe_samples.size();
+    const Rgb colour{radiance, radiance, radiance};
+    NodeLight light;
+    light.radiance.assign(count, colour);
+    light.irradiance.assign(count, static_cast<float>(kPi) * colour);
+    refinement->update_light(0, probe_samples.size(), light);
   }
   const std::vector<Link>& links() const { return refinement->links(); }
 };

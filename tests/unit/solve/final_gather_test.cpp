@@ -1,0 +1,70 @@
+// Gathers along rays over the radiance of leaves.
+#include "solve/gather/final_gather.h"
+
+#include <gtest/gtest.h>
+
+#include "refined.h"
+#include "solve/links/direct_of_leaves.h"
+
+namespace strad {
+namespace {
+
+// A room of 4 x 3 x 2 m with a spotlight; its leaves send out what they reflect of that at once.
+struct SpotlitRoom {
+  Refined refined;
+  Workspace work;
+  std::vector<uint32_t> leaves;
+  FunctionBlock radiance;
+
+  SpotlitRoom()
+      : refined(room(), Roots::kFaces, {0.02, 0.005}),
+        work{refined.bench.grid, *refined.bench.nodes, refined.bench.tracer, refined.bench.swept},
+        leaves(leaves_of(work.tree)),
+        radiance(work.tree.leaf_count(), leaves, work.grid.sample_count()) {
+    FunctionBlock divided = direct_of_divided_leaves(work, *refined.direct);
+    const Field surpluses = refined.direct->take_surpluses();
+    const DirectOfLeaves direct(work, std::move(divided), surpluses);
+    for (const uint32_t leaf : leaves) {
+      const std::vector<Rgb> reflected = direct.reflected(leaf, 0, work.grid.cell_count());
+      for (size_t d = 0; d < reflected.size(); ++d) radiance.set(leaf, d, reflected[d]);
+    }
+  }
+  static Scene room() {
+    Scene scene;
+    scene.end = 1;
+    add_box(&scene, {0, 0, 0}, {4, 3, 2}, true);
+    add_spot(&scene, {2, 1.5, 1.9}, {1.3, 1.2, 0}, 0.4, 0.5, {10, 10, 10});
+    return scene;
+  }
+  double area(uint32_t leaf) const { return surface_of(work.tree, leaf).area; }
+};
+
+// All that leaves send out, pi A L, arrives on the leaves of the closed room: the areas times what they
+// gather add up to it. With 1024 rays a leaf, whose origins and directions are not in step, to 0.5 %.
+TEST(FinalGather, WhatIsSentOutArrives) {
+  const SpotlitRoom lit;
+  const FinalGather gather(lit.work.tree, lit.work.tracer, lit.work.grid, lit.work.swept, lit.radiance, 1024);
+  double sent = 0, arrived = 0;
+  uint64_t rays = 0;
+  for (const uint32_t leaf : lit.leaves) {
+    sent += kPi * lit.area(leaf) * lit.radiance.get(leaf, 3).g;
+    arrived += lit.area(leaf) * gather.over_leaf(leaf, &rays).irradiance[3].g;
+  }
+  EXPECT_NEAR(arrived / sent, 1, 0.005);
+  EXPECT_EQ(rays, 1024 * lit.leaves.size());
+}
+
+// Everything has radiance 1, so E is pi, exactly, at vertices and over leaves.
+TEST(FinalGather, UniformRadianceGivesPi) {
+  SpotlitRoom lit;
+  for (const uint32_t leaf : lit.leaves)
+    for (size_t d = 0; d < lit.radiance.sample_count(); ++d) lit.radiance.set(leaf, d, {1, 1, 1});
+  const FinalGather gather(lit.work.tree, lit.work.tracer, lit.work.grid, lit.work.swept, lit.radiance, 64);
+  uint64_t rays = 0;
+  for (const uint32_t leaf : lit.leaves)
+    EXPECT_NEAR(gather.over_leaf(leaf, &rays).irradiance[5].r, kPi, 1e-4) << leaf;
+  EXPECT_NEAR(gather.at_vertex(0, &rays).irradiance[5].r, kPi, 1e-4);
+}
+
+}  // namespace
+}  // namespace strad
