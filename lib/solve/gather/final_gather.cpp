@@ -71,70 +71,82 @@ void FinalGather::add(uint32_t leaf, uint32_t first_sample, uint32_t sample_coun
 
 GatheredFunction FinalGather::at_rest(const Receiver& receiver, uint64_t* rays) const {
   const std::vector<Pose>& poses = swept_.cell_begin_poses(0);
-  const uint32_t cells = grid_.cell_count(), order = static_cast<uint32_t>(grid_.order);
   const Pose& pose = poses[receiver.body];
   GatheredFunction sum{std::vector<Rgb>(grid_.sample_count()),
                        std::vector<float>(grid_.sample_count(), 1.0f)};
   const float share = 1.0f / static_cast<float>(receiver.rays);
   std::vector<uint32_t> always;  // leaves seen at all time samples
-  std::vector<float> weights(grid_.sample_count());
-  std::vector<uint32_t> at_begin(cells), at_end(cells);
+  std::vector<CellEnds> seen(grid_.cell_count());
   for (int r = 0; r < receiver.rays; ++r) {
     const Vec3 from = pose * origin(receiver, r), towards = rotate(pose, direction(receiver, r));
     const SurfaceHit behind = tracer_.closest_of(poses, still_mask_, from, towards, 1e30);
     ++*rays;
-    const uint32_t behind_leaf = leaf_of(behind);
-    const double reach = behind.polygon == kNone ? 1e30 : behind.distance;
-    if (!swept_.may_meet(from, towards, reach)) {
-      always.push_back(behind_leaf);
-      continue;
-    }
-    // What the ray sees at both ends of each cell.
-    bool changes = false;
-    const auto seen_at = [&](uint32_t cell, const std::vector<Pose>& at) {
-      if (!swept_.may_meet_in(cell, from, towards, reach)) return behind_leaf;
-      ++*rays;
-      const SurfaceHit hit = tracer_.closest_of(at, moving_mask_, from, towards, reach);
-      if (hit.polygon == kNone) return behind_leaf;
-      changes = true;
-      return leaf_of(hit);
-    };
-    for (uint32_t c = 0; c < cells; ++c) {
-      const bool first_of_span = grid_.spans[span_of_cell(grid_, c)].first_cell == c;
-      at_begin[c] = first_of_span ? seen_at(c, swept_.cell_begin_poses(c)) : at_end[c - 1];
-      at_end[c] = seen_at(c, swept_.cell_end_poses(c));
-    }
-    if (!changes) {
-      always.push_back(behind_leaf);
-      continue;
-    }
-    // Runs of cells that see the same leaf all along are added at once; elsewhere both ends are blended.
-    for (uint32_t c = 0; c < cells;) {
-      uint32_t run = c;
-      while (run < cells && at_begin[run] == at_begin[c] && at_end[run] == at_begin[c]) ++run;
-      if (run > c) {
-        std::fill_n(weights.begin(), (run - c) * order, share);
-        add(at_begin[c], c * order, (run - c) * order, weights.data(), &sum);
-        c = run;
-        continue;
-      }
-      for (uint32_t k = 0; k < order; ++k)
-        weights[k] = share * static_cast<float>(1 - gauss_nodes(grid_.order)[k]);
-      add(at_begin[c], c * order, order, weights.data(), &sum);
-      for (uint32_t k = 0; k < order; ++k) weights[k] = share - weights[k];
-      add(at_end[c], c * order, order, weights.data(), &sum);
-      ++c;
-    }
+    if (meets_movers(from, towards, behind, &seen, rays))
+      add_seen(seen, share, &sum);
+    else
+      always.push_back(leaf_of(behind));
   }
-  std::sort(always.begin(), always.end());
-  for (size_t i = 0; i < always.size();) {
+  add_always(std::move(always), share, &sum);
+  return sum;
+}
+
+// What a ray sees at both ends of each cell, where `behind` is what it meets of what rests. False if no
+// moving body ever comes before that.
+bool FinalGather::meets_movers(Vec3 from, Vec3 towards, const SurfaceHit& behind, std::vector<CellEnds>* seen,
+                               uint64_t* rays) const {
+  const double reach = behind.polygon == kNone ? 1e30 : behind.distance;
+  if (!swept_.may_meet(from, towards, reach)) return false;
+  const uint32_t behind_leaf = leaf_of(behind);
+  bool meets = false;
+  const auto seen_at = [&](uint32_t cell, const std::vector<Pose>& poses) {
+    if (!swept_.may_meet_in(cell, from, towards, reach)) return behind_leaf;
+    ++*rays;
+    const SurfaceHit hit = tracer_.closest_of(poses, moving_mask_, from, towards, reach);
+    if (hit.polygon == kNone) return behind_leaf;
+    meets = true;
+    return leaf_of(hit);
+  };
+  for (uint32_t c = 0; c < seen->size(); ++c) {
+    const bool first_of_span = grid_.spans[span_of_cell(grid_, c)].first_cell == c;
+    (*seen)[c].begin = first_of_span ? seen_at(c, swept_.cell_begin_poses(c)) : (*seen)[c - 1].end;
+    (*seen)[c].end = seen_at(c, swept_.cell_end_poses(c));
+  }
+  return meets;
+}
+
+// Adds runs of cells in which a ray sees the same leaf at once; elsewhere blends what it sees at both ends.
+void FinalGather::add_seen(const std::vector<CellEnds>& seen, float share, GatheredFunction* sum) const {
+  const auto cells = static_cast<uint32_t>(seen.size()), order = static_cast<uint32_t>(grid_.order);
+  std::vector<float> weights(grid_.sample_count());
+  for (uint32_t c = 0; c < cells;) {
+    uint32_t run = c;
+    while (run < cells && seen[run].begin == seen[c].begin && seen[run].end == seen[c].begin) ++run;
+    if (run > c) {
+      std::fill_n(weights.begin(), (run - c) * order, share);
+      add(seen[c].begin, c * order, (run - c) * order, weights.data(), sum);
+      c = run;
+      continue;
+    }
+    for (uint32_t k = 0; k < order; ++k)
+      weights[k] = share * static_cast<float>(1 - gauss_nodes(grid_.order)[k]);
+    add(seen[c].begin, c * order, order, weights.data(), sum);
+    for (uint32_t k = 0; k < order; ++k) weights[k] = share - weights[k];
+    add(seen[c].end, c * order, order, weights.data(), sum);
+    ++c;
+  }
+}
+
+// Adds the leaves that rays see at all time samples, each once with the number of its rays.
+void FinalGather::add_always(std::vector<uint32_t> leaves, float share, GatheredFunction* sum) const {
+  std::vector<float> weights(grid_.sample_count());
+  std::sort(leaves.begin(), leaves.end());
+  for (size_t i = 0; i < leaves.size();) {
     size_t j = i;
-    while (j < always.size() && always[j] == always[i]) ++j;
+    while (j < leaves.size() && leaves[j] == leaves[i]) ++j;
     std::fill(weights.begin(), weights.end(), share * static_cast<float>(j - i));
-    add(always[i], 0, grid_.sample_count(), weights.data(), &sum);
+    add(leaves[i], 0, grid_.sample_count(), weights.data(), sum);
     i = j;
   }
-  return sum;
 }
 
 GatheredFunction FinalGather::in_motion(const Receiver& receiver, uint64_t* rays) const {

@@ -68,7 +68,15 @@ class FinalGather {
   Receiver receiver_of_face(uint32_t face) const;
   View view_of(const Receiver& receiver) const;
   GatheredFunction gather(const Receiver& receiver, uint64_t* rays) const;
+  // The leaves that a ray sees at both ends of a cell.
+  struct CellEnds {
+    uint32_t begin = 0, end = 0;
+  };
   GatheredFunction at_rest(const Receiver& receiver, uint64_t* rays) const;
+  bool meets_movers(Vec3 from, Vec3 towards, const SurfaceHit& behind, std::vector<CellEnds>* seen,
+                    uint64_t* rays) const;
+  void add_seen(const std::vector<CellEnds>& seen, float share, GatheredFunction* sum) const;
+  void add_always(std::vector<uint32_t> leaves, float share, GatheredFunction* sum) const;
   GatheredFunction in_motion(const Receiver& receiver, uint64_t* rays) const;
   Vec3 direction(const Receiver& receiver, int ray) const;
   Vec3 origin(const Receiver& receiver, int ray) const;
