@@ -30,7 +30,7 @@ class Refinement {
              const std::vector<uint32_t>& time_samples, NodeTree* tree);
 
   // Refines all links until the oracle is content. Call again with a lower threshold or after
-  // `update_radiance`.
+  // `update_light`.
   void refine(const RefinementOptions& options);
 
   // Takes the light that `propagate` has found for the probe time samples first .. first + count - 1.
