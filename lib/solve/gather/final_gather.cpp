@@ -212,7 +212,28 @@ FinalGather::Receiver FinalGather::receiver_of_vertex(uint32_t vertex) const {
   const MeshBuilder& builder = tree_.builder();
   const uint32_t face = builder.face_of_vertex(vertex);
   if (is_uniform(builder.mesh().elements[builder.mesh().faces[face].element])) return receiver_of_face(face);
-  return receiver_on(face, builder.sample_point(vertex), hash_of(vertex));
+  Receiver receiver = receiver_on(face, builder.sample_point(vertex), hash_of(vertex));
+  if (vertex < builder.undivided_vertices()) {
+    receiver.spread = true;
+    receiver.patch = part_at_vertex(face, vertex);
+  }
+  return receiver;
+}
+
+// The part of an undivided face that is nearest to one of its vertices: the corner, the middles of the edges
+// that meet there, and the middle of the face.
+PatchPoints FinalGather::part_at_vertex(uint32_t face, uint32_t vertex) const {
+  const Face& f = tree_.builder().mesh().faces[face];
+  const PatchPoints points = face_points(tree_.scene(), f);
+  const uint32_t* vertices = tree_.builder().mesh().elements[f.element].vertices;
+  const int n = points.corner_count,
+            c = static_cast<int>(std::find(vertices, vertices + n, vertex) - vertices);
+  const Vec3 corner = points.corners[c];
+  Vec3 middle;
+  for (int i = 0; i < n; ++i) middle += points.corners[i] / n;
+  return {{corner, lerp(corner, points.corners[(c + 1) % n], 0.5), middle,
+           lerp(corner, points.corners[(c + n - 1) % n], 0.5)},
+          4};
 }
 
 FinalGather::Receiver FinalGather::receiver_of_patch(const Node& n) const {

@@ -40,7 +40,8 @@ class FinalGather {
   FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
               const FunctionBlock& radiance, int rays);
 
-  // At a vertex, or over the uniform face that it stands for.
+  // At a vertex; over the uniform face that it stands for; or over its part of an undivided face, since the
+  // corners of small faces are often inside of what they touch.
   GatheredFunction at_vertex(uint32_t vertex, uint64_t* rays) const;
   // The mean over a leaf: each ray starts at another point of it. Not scaled up; `unblocked` is never empty.
   GatheredFunction over_leaf(uint32_t leaf, uint64_t* rays) const;
@@ -64,6 +65,7 @@ class FinalGather {
   };
   Receiver receiver_on(uint32_t face, Vec3 position, uint64_t seed) const;
   Receiver receiver_of_vertex(uint32_t vertex) const;
+  PatchPoints part_at_vertex(uint32_t face, uint32_t vertex) const;
   Receiver receiver_of_patch(const Node& node) const;
   Receiver receiver_of_face(uint32_t face) const;
   View view_of(const Receiver& receiver) const;

@@ -59,9 +59,11 @@ void MeshBuilder::add_uniform_face(uint32_t polygon, uint32_t side) {
 
 void MeshBuilder::add_undivided_face(uint32_t polygon, uint32_t side) {
   const uint32_t face = begin_face(polygon, side), root = mesh_.faces[face].element;
-  for (int c = 0; c < scene_.polygons[polygon].corner_count(); ++c) {
+  const Polygon& p = scene_.polygons[polygon];
+  for (int c = 0; c < p.corner_count(); ++c) {
     const uint32_t vertex = add_corner(polygon, face, c);
     mesh_.elements[root].vertices[c] = vertex;
+    sample_points_[vertex] = lerp(mesh_.vertices[vertex].position, polygon_centre(scene_, p), 0.5);
   }
 }
 

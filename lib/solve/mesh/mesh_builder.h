@@ -39,7 +39,8 @@ class MeshBuilder {
   uint32_t face_of(uint32_t element) const { return face_of_element_[element]; }
   uint32_t parent_of(uint32_t element) const { return parent_of_element_[element]; }
   // A point of the surface, in rest coordinates, close to the vertex but inside the element that made the
-  // vertex. So it never lies on an edge of its polygon. And the face of that element.
+  // vertex. So it never lies on an edge of its polygon. For a vertex of an undivided face: the middle of the
+  // part of the face that is nearest to it. And the face of that element.
   Vec3 sample_point(uint32_t vertex) const { return sample_points_[vertex]; }
   uint32_t face_of_vertex(uint32_t vertex) const { return face_of_vertex_[vertex]; }
 

@@ -66,5 +66,33 @@ TEST(FinalGather, UniformRadianceGivesPi) {
   EXPECT_NEAR(gather.at_vertex(0, &rays).irradiance[5].r, kPi, 1e-4);
 }
 
+// A bar of 0.3 m between two blocks, 0.03 m of it inside each. Its corners see nothing but the dark inside of
+// the blocks; the parts of its sides around them see the room for four fifths. All that is seen sends out 1,
+// and what is hidden does not count, so E is pi everywhere on the bar.
+TEST(FinalGather, CornersOfSmallFacesMayLieInsideOfOthers) {
+  Scene scene;
+  scene.end = 1;
+  add_box(&scene, {1.97, 1.5, 1}, {2.27, 1.54, 1.04}, false);
+  add_box(&scene, {1.5, 1.2, 0.7}, {2, 1.8, 1.3}, false);
+  add_box(&scene, {2.24, 1.2, 0.7}, {2.8, 1.8, 1.3}, false);
+  add_box(&scene, {0, 0, 0}, {4, 3, 2}, true);
+  const Workbench bench(std::move(scene), 2, 16, Roots::kFaces, 0.5);
+  const MeshBuilder& builder = bench.builder;
+  FunctionBlock radiance(bench.nodes->leaf_count(), leaves_of(*bench.nodes), bench.grid.sample_count());
+  for (const uint32_t leaf : radiance.rows())
+    for (size_t d = 0; d < radiance.sample_count(); ++d) radiance.set(leaf, d, {1, 1, 1});
+  const FinalGather gather(*bench.nodes, bench.tracer, bench.grid, bench.swept, radiance, 256);
+  uint64_t rays = 0;
+  int sides = 0;
+  for (uint32_t f = 0; f < builder.undivided_faces(); ++f) {
+    const Element& root = builder.mesh().elements[builder.mesh().faces[f].element];
+    if (is_uniform(root)) continue;  // the ends of the bar
+    ++sides;
+    for (int c = 0; c < 4; ++c)
+      EXPECT_NEAR(gather.at_vertex(root.vertices[c], &rays).irradiance[5].g, kPi, 1e-3) << f << ' ' << c;
+  }
+  EXPECT_EQ(sides, 4);
+}
+
 }  // namespace
 }  // namespace strad
