@@ -12,10 +12,11 @@ cpu() {
 # value NAME <TEXT: the value on the line `NAME value`.
 value() { awk -v name="$1" '$1 == name { print $2 }'; }
 
-# source_of SCENE: a scene of scenes/, or GENERATOR-N for one that scenes/GENERATOR/GENERATOR.sh makes of N polygons.
+# source_of SCENE: a scene of scenes/, or GENERATOR-N for one that scenes/GENERATOR/GENERATOR.sh makes, of N polygons or
+# under the name N.
 source_of() {
   local folder=$here/../../scenes/$1
-  if [[ $1 =~ ^(.*)-([0-9]+)$ ]]; then
+  if [[ $1 =~ ^([a-z]+)-([0-9a-z]+)$ ]]; then
     folder=$work/$1
     "$here/../../scenes/${BASH_REMATCH[1]}/${BASH_REMATCH[1]}.sh" "${BASH_REMATCH[2]}" "$folder"
   fi
