@@ -76,6 +76,8 @@ void require_regular_file(const std::string& path) {
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw IoError(path + ": no such file");
   if (fs::is_directory(status)) throw BadInput(path + ": found a directory, expected a picture");
+  if (!fs::is_regular_file(status))  // a pipe or a device may never end
+    throw BadInput(path + ": is no plain file, expected a picture");
 }
 
 void write_file(const std::string& path, const std::string& bytes) {

@@ -11,7 +11,7 @@ namespace strad {
 
 // Linear RGB. Integers are taken to be on the sRGB curve, floats to be linear. Grey fills all channels, alpha
 // is dropped. "-" is standard input, for PPM and PFM. Throws IoError or BadInput beginning with the
-// path.
+// path; a pixel that is not finite is bad, and so is what is no plain file, for it may never end.
 Image load_image(const std::string& path);
 
 // The same as 8-bit sRGB. The bytes of an 8-bit file are kept as they are.

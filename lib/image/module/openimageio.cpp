@@ -2,6 +2,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "image/module/module.h"
@@ -39,6 +40,11 @@ std::string read_channels(const std::string& path, OIIO::TypeDesc type, OIIO::Im
   if (!input->read_image(0, 0, 0, channels, type, samples->data()))
     return "cannot be read: " + first_line(input->geterror());
   spec->nchannels = channels;
+  for (size_t i = 0; i < samples->size(); ++i) {
+    if (std::isfinite((*samples)[i])) continue;
+    const size_t pixel = i / static_cast<size_t>(channels), width = static_cast<size_t>(spec->width);
+    return "pixel " + std::to_string(pixel % width) + "," + std::to_string(pixel / width) + " is not finite";
+  }
   return "";
 }
 
