@@ -19,7 +19,7 @@ SrgbImage load_srgb_image(const std::string& path);
 
 // The extension names the format. EXR: half floats, those above the largest half clamped to it, equal pixels
 // giving equal bytes. Integer formats are on the sRGB curve: 16 bits in TIFF, 8 elsewhere. The file is
-// complete or absent: it is written under another name and renamed.
+// complete or absent (stream/output_file.h).
 void save_image(const std::string& path, const Image& image);
 
 // Throws BadInput unless `save_image` knows the format of `path`. For tools that compute for long before they

@@ -1,8 +1,13 @@
 // The only user of OpenImageIO: all picture formats but PPM and PFM, and EXR and PNG to be written.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <memory>
 
 #include "image/module/module.h"
@@ -130,17 +135,45 @@ bool knows(const std::string& format) {
   return known;
 }
 
-std::string write(const std::string& path, const std::string& format, const Image& image) {
+// A file in memory, under a name.
+class MemoryFile {
+ public:
+  MemoryFile() : descriptor_(::memfd_create("picture", MFD_CLOEXEC)) {}
+  ~MemoryFile() { ::close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  std::string name() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+  std::string bytes() const {
+    std::ifstream file(name(), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+ private:
+  int descriptor_;
+};
+
+// In plain memory, for a disk may be full: libjpeg then ends the program, and others do not tell. Some
+// formats are written by name only; TIFF comes out damaged from IOVecOutput in OpenImageIO 2.4.
+std::string encode(const std::string& format, const Image& image, std::string* bytes) {
   keep_to_one_thread();
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
   if (!output) return "no writer for this format: " + first_line(OIIO::geterror());
-  if (!output->open(path, spec_for(image, format)) || !write_samples(output.get(), format, image) ||
-      !output->close())
+  OIIO::Filesystem::IOVecOutput memory;
+  const bool by_name = is_word_format(format) || !output->supports("ioproxy");
+  const MemoryFile file;
+  if (!by_name) output->set_ioproxy(&memory);
+  if (!output->open(by_name ? file.name() : "picture." + format, spec_for(image, format)) ||
+      !write_samples(output.get(), format, image) || !output->close())
     return "cannot be written: " + first_line(output->geterror());
+  *bytes = by_name ? file.bytes() : std::string(memory.buffer().begin(), memory.buffer().end());
+  // Even a file in memory may meet a limit (ulimit -f), which some writers do not tell.
+  Image back;
+  if (by_name && !read(file.name(), &back).empty()) return "cannot be written: File too large";
   return "";
 }
 
-constexpr strad::ImageModule kModule{read, read_srgb, knows, write};
+constexpr strad::ImageModule kModule{read, read_srgb, knows, encode};
 
 }  // namespace
 
