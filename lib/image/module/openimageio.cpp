@@ -1,6 +1,7 @@
 // The only user of OpenImageIO: all picture formats but PPM and PFM, and EXR and PNG to be written.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <mutex>
 
 #include "image/module/module.h"
 #include "image/srgb.h"
@@ -27,11 +29,45 @@ void keep_to_one_thread() {
   static_cast<void>(done);
 }
 
+// libpng prints its errors and warnings, which OpenImageIO returns as well: while this lives, they go
+// nowhere.
+class Silence {
+ public:
+  Silence() : lock_(mutex_), kept_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)) {
+    const int nowhere = kept_ >= 0 ? ::open("/dev/null", O_WRONLY | O_CLOEXEC) : -1;
+    if (nowhere < 0) return;
+    ::dup2(nowhere, STDERR_FILENO);
+    ::close(nowhere);
+  }
+  ~Silence() {
+    if (kept_ < 0) return;
+    ::dup2(kept_, STDERR_FILENO);
+    ::close(kept_);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  static inline std::mutex mutex_;  // the streams of a process are one
+  const std::lock_guard<std::mutex> lock_;
+  const int kept_;
+};
+
+// OpenImageIO fills what is missing of a cut JPEG file with grey. Such a file has no end of image (FF D9)
+// after the start of its last scan (FF DA), which are no bytes of coded pixels (ITU T.81, B.1.1.5).
+bool is_cut_jpeg(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const size_t scan = bytes.rfind("\xff\xda"), end = bytes.rfind("\xff\xd9");
+  return scan != bytes.npos && (end == bytes.npos || end < scan);
+}
+
 // Opens `path` and reads its first `channels` channels (1 or 3) as `type`.
 template <class Sample>
 std::string read_channels(const std::string& path, OIIO::TypeDesc type, OIIO::ImageSpec* spec,
                           std::vector<Sample>* samples) {
   keep_to_one_thread();
+  const Silence silence;
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
   if (!input) return "cannot be read as a picture: " + first_line(OIIO::geterror());
   *spec = input->spec();
@@ -44,6 +80,8 @@ std::string read_channels(const std::string& path, OIIO::TypeDesc type, OIIO::Im
                   static_cast<size_t>(channels));
   if (!input->read_image(0, 0, 0, channels, type, samples->data()))
     return "cannot be read: " + first_line(input->geterror());
+  if (input->format_name() == std::string("jpeg") && is_cut_jpeg(path))
+    return "cannot be read: it is cut off";
   spec->nchannels = channels;
   for (size_t i = 0; i < samples->size(); ++i) {
     if (std::isfinite((*samples)[i])) continue;
