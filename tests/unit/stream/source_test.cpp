@@ -17,7 +17,7 @@ namespace {
 
 using SourceTest = TestFolder;
 
-TEST_F(SourceTest, AFileIsMapped) {
+TEST_F(SourceTest, AFileIsReadWhereItIsAskedFor) {
   std::ofstream(path("a")) << "hello";
   Source source(path("a"));
   EXPECT_TRUE(source.seekable());
@@ -43,6 +43,23 @@ TEST_F(SourceTest, APipeIsReadAsFarAsNeeded) {
     EXPECT_THROW(source.at(big.size(), 4), BadInput);
   }
   feeder.join();
+}
+
+TEST_F(SourceTest, AFileThatIsCutMeanwhileIsRefused) {
+  std::ofstream(path("a")) << std::string(3 << 20, 'x');
+  Source source(path("a"));
+  EXPECT_EQ(source.at(0, 3 << 20).size(), size_t{3 << 20});
+  std::filesystem::resize_file(path("a"), 2 << 20);
+  EXPECT_EQ(source.at(0, 2 << 20).size(), size_t{2 << 20});  // what is left
+  try {
+    source.at(0, 3 << 20);
+    ADD_FAILURE() << "not refused";
+  } catch (const BadInput& error) {
+    EXPECT_EQ(std::string(error.what()),
+              path("a") + ": byte 2097152: the stream ends, expected 1048576 bytes more");
+  }
+  std::filesystem::resize_file(path("a"), 0);
+  EXPECT_THROW(source.at(0, 1), BadInput);
 }
 
 TEST_F(SourceTest, WhatCannotBeReadIsTold) {
