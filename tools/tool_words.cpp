@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/utf8.h"
 
 namespace strad {
 namespace {
@@ -16,7 +17,8 @@ bool read_all(std::string_view text, Number* number) {
 }
 
 // A word, quoted so that a shell reads it as one word.
-std::string quoted(const std::string& word) {
+std::string quoted(std::string word) {
+  word = repaired_utf8(word);
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+,./:@%^";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
@@ -25,7 +27,7 @@ std::string quoted(const std::string& word) {
     if (c == '\'')
       result += "'\\''";
     else
-      result += c == '\n' ? ' ' : c;
+      result += (c >= 0 && c < ' ') || c == 0x7f ? ' ' : c;
   }
   return result + "'";
 }

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/utf8.h"
 
 namespace strad {
 namespace {
@@ -65,8 +66,15 @@ void fail_at(const std::string& name, uint32_t line, const std::string& what) {
 
 std::string in_quotes(std::string_view text, size_t most) {
   std::string shown = "\"";
-  for (const char c : text.substr(0, most)) shown += is_text(c) && c >= ' ' ? c : '?';
-  return shown + (text.size() > most ? "...\"" : "\"");
+  for (size_t left = most; left > 0 && !text.empty();) {
+    const size_t length = std::max<size_t>(utf8_length(text), 1);
+    if (length > left) break;  // no half characters
+    const bool is_shown = utf8_length(text) > 0 && is_text(text[0]) && (length > 1 || text[0] >= ' ');
+    shown += is_shown ? text.substr(0, length) : "?";
+    text.remove_prefix(length);
+    left -= length;
+  }
+  return shown + (text.empty() ? "\"" : "...\"");
 }
 
 std::optional<double> number_in(std::string_view text) {

@@ -248,6 +248,28 @@ TEST_F(ImportObj, lights_materials_by_pattern) {
   EXPECT_EQ(refusal(text), "room.obj: no material in use matches the light \"lump*\"");
 }
 
+TEST_F(ImportObj, refuses_scales_that_no_stream_can_hold) {
+  for (const double scale : {1e300, 1e16, 1e-10, 1e-300}) {
+    options_.scale = scale;
+    const std::string said = refusal(kSquare + "f 1 2 3 4\n");
+    EXPECT_TRUE(said.starts_with("room.obj: ")) << scale << ": " << said;
+  }
+  for (const double scale : {1e14, 1e-8}) {
+    options_.scale = scale;
+    EXPECT_EQ(refusal(kSquare + "f 1 2 3 4\n"), "");
+  }
+}
+
+TEST_F(ImportObj, takes_names_that_are_not_utf8_as_latin1) {
+  write("m.mtl", "newmtl gr\xfcn\nnewmtl \xc3\xa9t\xc3\xa9\n");
+  const Scene scene = import("mtllib m.mtl\n" + kSquare +
+                             "o T\xfcr\nusemtl gr\xfcn\nf 1 2 3\nusemtl \xc3\xa9t\xc3\xa9\nf 1 3 4\n");
+  EXPECT_EQ(scene.objects[0].name, "T\xc3\xbcr");
+  EXPECT_EQ(scene.materials[0].name, "gr\xc3\xbcn");
+  EXPECT_EQ(scene.materials[1].name, "\xc3\xa9t\xc3\xa9");
+  EXPECT_EQ(note(0), "room.obj: 2 names that are not UTF-8 are taken as Latin-1, such as \"gr\xc3\xbcn\"");
+}
+
 TEST_F(ImportObj, scales_and_turns) {
   options_.scale = 0.01;
   options_.up = 'z';
