@@ -11,6 +11,7 @@ namespace {
 
 // Turns of loops and calls of macros. A file that takes more is refused as endless.
 constexpr size_t kMaxSteps = 5'000'000;
+constexpr size_t kMaxTokens = 100'000'000;
 
 bool opens_block(std::string_view directive) {
   return is_one_of(directive, {"if", "ifdef", "ifndef", "while", "for", "switch", "macro"});
@@ -43,6 +44,7 @@ void PovInterpreter::push(Block::Kind kind, size_t start) {
 std::string PovInterpreter::skip_branch() {
   for (int depth = 0;; ++here().next) {
     const PovToken& token = raw();
+    count_token();
     if (token.kind == PovKind::kEnd) fail("found the end of the file, expected #end");
     if (token.kind != PovKind::kDirective) continue;
     const bool branch =
@@ -83,6 +85,10 @@ void PovInterpreter::obey_ifdef(bool wanted) {
   for (std::string branch = skip_branch(); branch != "end"; branch = skip_branch()) {
     if (branch == "else" || (branch == "elseif" && truth())) return push(Block::kIf);
   }
+}
+
+void PovInterpreter::count_token() {
+  if (++tokens_ > kMaxTokens) fail("the file takes more than " + std::to_string(kMaxTokens) + " words");
 }
 
 void PovInterpreter::count_step() {
