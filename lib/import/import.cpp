@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "base/error.h"
@@ -139,19 +140,25 @@ void repair_names(Scene* scene, const std::string& file, ImportReport* report) {
 }
 
 // Vertices are stored as floats, and lights fall with the squares of lengths.
-void check_size(const Scene& scene, const std::string& name) {
-  constexpr double kSmallest = 1e-9;
-  double size = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [least, most] =
-        std::minmax_element(scene.vertices.begin(), scene.vertices.end(),
-                            [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
-    size = std::max(size, (*most)[axis] - (*least)[axis]);
+void check_size(const Scene& scene, const std::string& name, ImportReport* report) {
+  constexpr double kSmallest = 1e-9, kTold = 1e-4;
+  Box box;
+  for (const Vec3& vertex : scene.vertices) box.add(vertex);
+  const double size = box.diagonal();
+  char text[128];
+  if (!(size >= kSmallest)) {
+    std::snprintf(text, sizeof text, ": is %.3g m in size, expected 1e-9 m or more", size);
+    throw BadInput(name + text);
   }
-  if (size >= kSmallest) return;
-  char text[64];
-  std::snprintf(text, sizeof text, ": is %.3g m in size, expected 1e-9 m or more", size);
-  throw BadInput(name + text);
+  float farthest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    farthest = std::max({farthest, std::abs(static_cast<float>(box.lower[axis])),
+                         std::abs(static_cast<float>(box.upper[axis]))});
+  const double error = 0.5 * (static_cast<double>(std::nextafter(farthest, INFINITY)) - farthest);
+  if (!(error > kTold * size)) return;
+  std::snprintf(text, sizeof text, "so far from the origin, vertices are stored with errors of up to %.1g m",
+                error);
+  report->add(text, name, 0);
 }
 
 }  // namespace
@@ -185,7 +192,7 @@ Scene finish_import(Scene scene, const ImportOptions& options, const std::string
   } catch (const BadInput& fault) {
     throw BadInput(name + ": " + fault.what());
   }
-  check_size(scene, name);
+  check_size(scene, name, report);
   return scene;
 }
 

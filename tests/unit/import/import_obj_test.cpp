@@ -270,6 +270,14 @@ TEST_F(ImportObj, takes_names_that_are_not_utf8_as_latin1) {
   EXPECT_EQ(note(0), "room.obj: 2 names that are not UTF-8 are taken as Latin-1, such as \"gr\xc3\xbcn\"");
 }
 
+// Floats at 1e6 are 1/16 apart, so rounding changes a coordinate by up to 1/32; at 1e3 by less than 1e-4.
+TEST_F(ImportObj, tells_when_floats_cannot_hold_the_vertices) {
+  import("v 1000000 0 0\nv 1000001 0 0\nv 1000001 1 0\nf 1 2 3\n");
+  EXPECT_EQ(note(1), "room.obj: so far from the origin, vertices are stored with errors of up to 0.03 m");
+  import("v 1000 0 0\nv 1001 0 0\nv 1001 1 0\nf 1 2 3\n");
+  EXPECT_EQ(note(1), "");
+}
+
 TEST_F(ImportObj, scales_and_turns) {
   options_.scale = 0.01;
   options_.up = 'z';
