@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/utf8.h"
+#include "import/coincident_lamps.h"
 
 namespace strad {
 namespace {
@@ -193,6 +194,7 @@ Scene finish_import(Scene scene, const ImportOptions& options, const std::string
     throw BadInput(name + ": " + fault.what());
   }
   check_size(scene, name, report);
+  tell_coincident_lamps(scene, name, report);
   return scene;
 }
 

@@ -278,6 +278,17 @@ TEST_F(ImportObj, tells_when_floats_cannot_hold_the_vertices) {
   EXPECT_EQ(note(1), "");
 }
 
+TEST_F(ImportObj, tells_of_lamps_that_lie_on_one_another) {
+  write("m.mtl", "newmtl lamp\nKd 0 0 0\nKe 1 1 1\nnewmtl grey\nKd 0.5 0.5 0.5\n");
+  const std::string lamp = "mtllib m.mtl\n" + kSquare + "usemtl lamp\no a\nf 1 2 3 4\n";
+  import(lamp + "o b\nf 2 3 4 1\nv 0 0 0\no c\nf 5 2 3 4\n");  // from another corner, and by another vertex
+  EXPECT_EQ(note(0),
+            "room.obj: 2 emitting polygons lie exactly on others, such as one of \"b\": their light adds up");
+  import(lamp +
+         "o b\nf 4 3 2 1\nusemtl grey\nf 1 2 3 4\nusemtl lamp\nf 1 2 3\n");  // back to back, dark, smaller
+  EXPECT_EQ(note(0), "");
+}
+
 TEST_F(ImportObj, scales_and_turns) {
   options_.scale = 0.01;
   options_.up = 'z';
