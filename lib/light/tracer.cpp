@@ -66,15 +66,14 @@ struct Tracer::State {
     if (device) rtcReleaseDevice(device);
   }
 
-  void add_group(uint32_t body, bool moves, const std::vector<bool>& belongs) {
+  void add_group(uint32_t body, bool moves, const std::vector<uint32_t>& polygons) {
     Group group;
     group.body = body;
     group.moves = moves;
     std::vector<Vec3> positions;
-    for (uint32_t p = 0; p < scene->polygons.size(); ++p) {
+    for (const uint32_t p : polygons) {
       const Polygon& polygon = scene->polygons[p];
       const uint32_t owner = body_of(*scene, polygon);
-      if (!belongs[owner]) continue;
       const auto push = [&](int corner) {
         const Vec3 rest = scene->vertices[polygon.corners[corner]];
         positions.push_back(moves ? rest : static_poses[owner] * rest);
@@ -156,15 +155,14 @@ Tracer::Tracer(const Scene& scene) : state_(std::make_unique<State>()) {
   s.device = rtcNewDevice("set_affinity=0");
   if (!s.device) throw IoError("the ray tracer could not be started");
   const std::vector<bool> moving = moving_bodies(scene);
-  std::vector<bool> still(moving.size());
-  for (size_t b = 0; b < moving.size(); ++b) still[b] = !moving[b];
-  s.add_group(0, false, still);
-  for (uint32_t b = 0; b < moving.size(); ++b) {
-    if (!moving[b]) continue;
-    std::vector<bool> one(moving.size(), false);
-    one[b] = true;
-    s.add_group(b, true, one);
+  std::vector<std::vector<uint32_t>> polygons_of(moving.size());  // all that are still at 0
+  for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
+    const uint32_t body = body_of(scene, scene.polygons[p]);
+    polygons_of[moving[body] ? body : 0].push_back(p);
   }
+  s.add_group(0, false, polygons_of[0]);
+  for (uint32_t b = 1; b < moving.size(); ++b)
+    if (moving[b]) s.add_group(b, true, polygons_of[b]);
 }
 
 Tracer::~Tracer() = default;
