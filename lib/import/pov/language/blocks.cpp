@@ -9,10 +9,6 @@
 namespace strad {
 namespace {
 
-// Turns of loops and calls of macros. A file that takes more is refused as endless.
-constexpr size_t kMaxSteps = 5'000'000;
-constexpr size_t kMaxTokens = 100'000'000;
-
 bool opens_block(std::string_view directive) {
   return is_one_of(directive, {"if", "ifdef", "ifndef", "while", "for", "switch", "macro"});
 }
@@ -88,11 +84,13 @@ void PovInterpreter::obey_ifdef(bool wanted) {
 }
 
 void PovInterpreter::count_token() {
-  if (++tokens_ > kMaxTokens) fail("the file takes more than " + std::to_string(kMaxTokens) + " words");
+  if (++tokens_ > run_.most_words)
+    fail("the file takes more than " + std::to_string(run_.most_words) + " words");
 }
 
 void PovInterpreter::count_step() {
-  if (++steps_ > kMaxSteps) fail("the file takes more than " + std::to_string(kMaxSteps) + " turns of loops");
+  if (++steps_ > run_.most_steps)
+    fail("the file takes more than " + std::to_string(run_.most_steps) + " turns of loops");
 }
 
 void PovInterpreter::obey_while() {
