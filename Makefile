@@ -3,9 +3,11 @@
 BUILD = build
 PREFIX = /usr/local
 CMAKE_FLAGS =
+MINUTES = 1
+fuzz_flags = -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
 sources = $(shell find lib tools tests -name '*.cpp' -o -name '*.h')
 
-.PHONY: build demo check bench paper lint format install clean help configure
+.PHONY: build demo check fuzz bench paper lint format install clean help configure
 
 build: configure  ## the executables in build/bin (missing Debian packages are installed)
 	@cmake --build $(BUILD) --target tools
@@ -19,6 +21,15 @@ check: configure  ## build and run all tests
 	@cmake -S . -B $(BUILD) -D STRAD_TESTS=ON >$(BUILD)/configure.log || { cat $(BUILD)/configure.log; false; }
 	@cmake --build $(BUILD)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $$(nproc)
+
+fuzz:  ## MINUTES=n (default 1) of fuzzing for each target, with sanitizers; finds are in build/fuzz/finds
+	@.ci/install build lint
+	@mkdir -p $(BUILD)/fuzz
+	@test -f $(BUILD)/fuzz/build.ninja || CXX=clang++ cmake -G Ninja -S . -B $(BUILD)/fuzz -D STRAD_FUZZ=ON -D STRAD_TESTS=ON \
+	  -D CMAKE_BUILD_TYPE=RelWithDebInfo -D CMAKE_CXX_FLAGS="-O1 -fno-omit-frame-pointer $(fuzz_flags)" >$(BUILD)/fuzz/log \
+	  || { cat $(BUILD)/fuzz/log; false; }
+	@cmake --build $(BUILD)/fuzz --target fuzzers
+	@bash tests/fuzz/fuzz.sh $(BUILD)/fuzz $(MINUTES)
 
 bench: build  ## error against CPU seconds, acceleration, continuity, as tables
 	@.ci/install bench

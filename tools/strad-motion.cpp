@@ -4,6 +4,7 @@
 #include "scene/motion_io.h"
 #include "scene/motion_print.h"
 #include "scene/motion_text.h"
+#include "scene/remarks.h"
 #include "solution/slab_work.h"
 #include "tool.h"
 
@@ -64,6 +65,8 @@ int compile(const MotionTool& tool) {
   Stream stream = read_stream(tool.stream);
   const MotionBytes before = motion_bytes(stream.scene);
   apply_motion(text, text_name(tool.motion), stream.scene);
+  for (const std::string& name : dark_glows(stream.scene))
+    note(tool.common, "glow " + in_quotes(name) + ": the material emits nothing, and stays dark");
   const MotionBytes after = motion_bytes(stream.scene);
   if (stream.solution && before.of_light != after.of_light) {
     // It is the light of the scene as it moved before.

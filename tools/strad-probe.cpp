@@ -13,6 +13,7 @@ namespace {
 using namespace strad;
 
 constexpr int kMaxSamples = 10'000'000;
+constexpr double kFar = 0.25;  // of the scene's diagonal: further from any surface no point is meant
 
 struct ProbeTool {
   Common common;
@@ -92,8 +93,12 @@ int probe(const ProbeTool& tool) {
   const Scene& scene = file.scene();
   std::vector<ProbePoint> points;
   for (const ProbeQuery& query : tool.queries) points.push_back(nearest_point(scene, query));
-  for (size_t i = 0; i < points.size(); ++i)
-    detail(tool.common, placement(scene, tool.queries[i], points[i], i));
+  Box box;
+  for (const Vec3& vertex : scene.vertices) box.add(vertex);
+  for (size_t i = 0; i < points.size(); ++i) {
+    const bool is_far = length(points[i].rest_point - tool.queries[i].position) > kFar * box.diagonal();
+    (is_far ? note : detail)(tool.common, placement(scene, tool.queries[i], points[i], i));
+  }
   Probe probe(scene, points, tool.probe);
   Output output(tool.common.output);
   output.write(probe_header());

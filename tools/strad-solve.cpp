@@ -1,4 +1,5 @@
 // strad-solve: solves light transport for an animation and adds the solution to the stream.
+#include "scene/remarks.h"
 #include "solution/slab_work.h"
 #include "solve/links/link_counts.h"
 #include "solve/solve.h"
@@ -51,6 +52,8 @@ SolveArguments parse_arguments(int argc, char** argv) {
 int solve(const SolveArguments& a) {
   strad::refuse_terminal(a.common.output);
   strad::Stream stream = strad::read_stream(a.stream);
+  if (!strad::is_lit(stream.scene))
+    strad::note(a.common, "the scene has no light: no polygon emits, and there is no spotlight");
   strad::SolveOptions options = a.solve;
   std::string links;
   if (!a.links.empty())

@@ -38,6 +38,7 @@ int flushed(int status) {
 int run_tool(const std::string& name, const std::function<int()>& body) {
   tool_name = name;
   std::signal(SIGPIPE, SIG_DFL);  // a closed pipe ends the tool, as it ends cat
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond its limit is an error of the write
   try {
     return flushed(body());
   } catch (const Finished&) {

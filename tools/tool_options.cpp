@@ -25,6 +25,22 @@ struct Options::State {
 
   State(const std::string& name, const std::string& about) : app(about, name), tool(name) {}
 
+  // What is wrong with the words that are left over. An unknown option is named, not the file names beside
+  // it.
+  std::string fault_of_extras() const {
+    const std::vector<std::string> extras = app.remaining();
+    for (const std::string& extra : extras) {
+      if (!extra.starts_with('-') || extra == "-") continue;
+      const std::string typed = extra.substr(0, extra.find('='));
+      std::vector<std::string> names;
+      for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      const std::string meant = likely_word(typed, names);
+      return "found the unknown option " + typed + (meant.empty() ? "" : ", is " + meant + " meant?");
+    }
+    return "found '" + (extras.empty() ? "" : extras.front()) + "', expected no more file names";
+  }
+
   using Take = std::function<void(const std::string&)>;
 
   CLI::Option* add(const std::string& names, const std::string& value, const std::string& help,
@@ -142,6 +158,8 @@ void Options::parse(int argc, char** argv) {
   } catch (const CLI::CallForVersion& version) {
     std::cout << version.what() << std::endl;
     throw Finished{};
+  } catch (const CLI::ExtrasError&) {
+    throw BadInput(state_->fault_of_extras() + "; see " + state_->tool + " --help");
   } catch (const CLI::ParseError& error) {
     throw BadInput(std::string(error.what()) + "; see " + state_->tool + " --help");
   }

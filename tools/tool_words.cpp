@@ -1,9 +1,12 @@
 #include "tool_words.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 #include "base/error.h"
+#include "base/utf8.h"
 
 namespace strad {
 namespace {
@@ -15,8 +18,27 @@ bool read_all(std::string_view text, Number* number) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
+// Letters changed, left out, added or swapped with the next (Damerau 1964) between two words.
+size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<size_t>> cost(a.size() + 1, std::vector<size_t>(b.size() + 1));
+  for (size_t i = 0; i <= a.size(); ++i) {
+    for (size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        cost[i][j] = i + j;
+        continue;
+      }
+      const size_t changed = a[i - 1] == b[j - 1] ? 0 : 1;
+      cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + changed});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+    }
+  }
+  return cost[a.size()][b.size()];
+}
+
 // A word, quoted so that a shell reads it as one word.
-std::string quoted(const std::string& word) {
+std::string quoted(std::string word) {
+  word = repaired_utf8(word);
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+,./:@%^";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
@@ -25,7 +47,7 @@ std::string quoted(const std::string& word) {
     if (c == '\'')
       result += "'\\''";
     else
-      result += c == '\n' ? ' ' : c;
+      result += (c >= 0 && c < ' ') || c == 0x7f ? ' ' : c;
   }
   return result + "'";
 }
@@ -48,6 +70,11 @@ void fail_option(const std::string& what, std::string_view found, const std::str
 
 double parse_number(std::string_view text, const std::string& what) {
   double number = 0;
+  if (text.ends_with('%') && read_all(text.substr(0, text.size() - 1), &number) && std::isfinite(number)) {
+    char fraction[32];
+    std::snprintf(fraction, sizeof fraction, "%.6g", number / 100);
+    fail_option(what, text, std::string("a plain number: ") + fraction);
+  }
   if (!read_all(text, &number) || !std::isfinite(number)) fail_option(what, text, "a number");
   return number;
 }
@@ -91,6 +118,18 @@ std::array<double, 3> parse_triple(std::string_view text, const std::string& wha
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 3) fail_option(what, text, "three numbers with commas between");
   return {parse_number(parts[0], what), parse_number(parts[1], what), parse_number(parts[2], what)};
+}
+
+std::string likely_word(const std::string& typed, const std::vector<std::string>& words) {
+  std::string best;
+  size_t least = typed.size() / 3;  // so many letters may be wrong
+  for (const std::string& word : words) {
+    const size_t distance = edit_distance(typed, word);
+    if (distance > least || (distance == least && !best.empty())) continue;
+    best = word;
+    least = distance;
+  }
+  return best;
 }
 
 std::string recorded_arguments(int argc, char** argv, const std::vector<Unrecorded>& unrecorded) {

@@ -4,37 +4,31 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <limits>
-#include <sstream>
 
 #include "base/error.h"
+#include "base/files.h"
+#include "base/utf8.h"
 
 namespace strad {
 namespace {
 
-std::string read_bytes(const std::string& path) {
-  std::ostringstream bytes;
-  if (path == "-") {
-    if (std::cin.peek() != EOF) bytes << std::cin.rdbuf();
-    return std::move(bytes).str();
-  }
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw BadInput(path + ": is a directory, expected a text file");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw IoError(path + ": cannot be opened: " + std::strerror(errno));
-  if (file.peek() != EOF) bytes << file.rdbuf();
-  if (file.bad() || bytes.fail()) throw IoError(path + ": cannot be read");
-  return std::move(bytes).str();
-}
+constexpr size_t kLongestText = size_t{4} << 30;
 
 bool is_text(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte >= 0x20 ? byte != 0x7f : byte >= '\t' && byte <= '\r';
+}
+
+// Throws BadInput at the first byte that no text has. `offset` is that of `block` in the file.
+void check_text(std::string_view block, size_t offset, const std::string& name) {
+  for (size_t i = 0; i < block.size(); ++i) {
+    if (!is_text(block[i]))
+      throw BadInput(name + ": is not a text file: byte " +
+                     std::to_string(static_cast<unsigned char>(block[i])) + " at offset " +
+                     std::to_string(offset + i));
+  }
 }
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
@@ -50,17 +44,19 @@ std::string path_beside(const std::string& path, const std::string& reference) {
 }
 
 std::string read_text(const std::string& path) {
-  std::string text = read_bytes(path);
   const std::string name = text_name(path);
+  std::string text;
+  // Checked block by block, so that a device that never ends (/dev/zero) is refused at once.
+  read_blocks(path, "a text file", [&](std::string_view block) {
+    const size_t begin = text.size();
+    text += block;
+    if (begin < 2 && (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")))
+      throw BadInput(name + ": is UTF-16 text, expected ASCII or UTF-8");
+    check_text(block, begin, name);
+    if (text.size() > kLongestText) throw BadInput(name + ": is longer than 4 GiB");
+  });
   if (text.empty()) throw BadInput(name + ": is empty");
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-    throw BadInput(name + ": is UTF-16 text, expected ASCII or UTF-8");
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-  for (size_t i = 0; i < text.size(); ++i) {
-    if (!is_text(text[i]))
-      throw BadInput(name + ": is not a text file: byte " +
-                     std::to_string(static_cast<unsigned char>(text[i])) + " at offset " + std::to_string(i));
-  }
   return text;
 }
 
@@ -70,8 +66,15 @@ void fail_at(const std::string& name, uint32_t line, const std::string& what) {
 
 std::string in_quotes(std::string_view text, size_t most) {
   std::string shown = "\"";
-  for (const char c : text.substr(0, most)) shown += is_text(c) && c >= ' ' ? c : '?';
-  return shown + (text.size() > most ? "...\"" : "\"");
+  for (size_t left = most; left > 0 && !text.empty();) {
+    const size_t length = std::max<size_t>(utf8_length(text), 1);
+    if (length > left) break;  // no half characters
+    const bool is_shown = utf8_length(text) > 0 && is_text(text[0]) && (length > 1 || text[0] >= ' ');
+    shown += is_shown ? text.substr(0, length) : "?";
+    text.remove_prefix(length);
+    left -= length;
+  }
+  return shown + (text.empty() ? "\"" : "...\"");
 }
 
 std::optional<double> number_in(std::string_view text) {

@@ -22,7 +22,8 @@ std::string path_beside(const std::string& path, const std::string& reference);
 // Throws BadInput "name:line: what".
 [[noreturn]] void fail_at(const std::string& name, uint32_t line, const std::string& what);
 
-// `text` for messages: in double quotes, control characters shown as ?, cut after `most` characters.
+// `text` for messages: in double quotes, control characters and what is no UTF-8 shown as ?, cut after
+// `most` bytes.
 std::string in_quotes(std::string_view text, size_t most = 40);
 
 // `text` as a decimal number that is finite as a float. Nothing if any part of it is something else, such as

@@ -3,11 +3,15 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 #include <vector>
+
+#include "base/error.h"
 
 namespace strad {
 namespace {
@@ -23,9 +27,27 @@ std::vector<half> halves_of(const Image& image) {
   return samples;
 }
 
+class Memory : public Imf::OStream {
+ public:
+  Memory() : OStream("a picture") {}
+  void write(const char bytes[], int count) override {
+    const size_t end = at_ + static_cast<size_t>(count);
+    if (bytes_.size() < end) bytes_.resize(end);
+    std::copy_n(bytes, count, bytes_.begin() + static_cast<ptrdiff_t>(at_));
+    at_ = end;
+  }
+  uint64_t tellp() override { return at_; }
+  void seekp(uint64_t position) override { at_ = position; }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+  size_t at_ = 0;
+};
+
 }  // namespace
 
-std::string write_exr(const std::string& path, const Image& image) {
+std::string encode_exr(const Image& image) {
   try {
     std::vector<half> samples = halves_of(image);
     Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
@@ -36,12 +58,15 @@ std::string write_exr(const std::string& path, const Image& image) {
       buffer.insert(kChannels[c], Imf::Slice(Imf::HALF, reinterpret_cast<char*>(samples.data() + c),
                                              3 * sizeof(half), 3 * sizeof(half) * image.width));
     }
-    Imf::OutputFile file(path.c_str(), header, 0);  // no threads: callers save frames in parallel themselves
-    file.setFrameBuffer(buffer);
-    file.writePixels(static_cast<int>(image.height));
-    return "";
+    Memory memory;
+    {                                           // its end writes the table of lines
+      Imf::OutputFile file(memory, header, 0);  // no threads: callers save frames in parallel themselves
+      file.setFrameBuffer(buffer);
+      file.writePixels(static_cast<int>(image.height));
+    }
+    return memory.take();
   } catch (const std::exception& error) {
-    return error.what();
+    throw IoError(error.what());
   }
 }
 

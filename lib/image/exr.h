@@ -1,4 +1,4 @@
-// Writes OpenEXR files with OpenEXR alone, without loading OpenImageIO.
+// Makes OpenEXR files with OpenEXR alone, without loading OpenImageIO.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace strad {
 
-// Half floats, ZIP compression. Returns an error message, empty for success.
-std::string write_exr(const std::string& path, const Image& image);
+// The bytes of the file: half floats, ZIP compression. Throws IoError.
+std::string encode_exr(const Image& image);
 
 }  // namespace strad

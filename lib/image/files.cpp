@@ -9,7 +9,6 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <mutex>
 
 #include "base/error.h"
 #include "image/exr.h"
@@ -76,23 +75,20 @@ void require_regular_file(const std::string& path) {
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw IoError(path + ": no such file");
   if (fs::is_directory(status)) throw BadInput(path + ": found a directory, expected a picture");
+  if (!fs::is_regular_file(status))  // a pipe or a device may never end
+    throw BadInput(path + ": is no plain file, expected a picture");
 }
 
-void write_file(const std::string& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) throw IoError(std::strerror(errno));
-}
-
-// Throws IoError without the file's name.
-void write_format(const std::string& path, const std::string& format, const Image& image) {
-  if (format == "ppm") return write_file(path, encode_ppm(image));
-  if (format == "pfm") return write_file(path, encode_pfm(image));
-  const std::string fault = format == "exr"   ? write_exr(path, image)
-                            : format == "png" ? write_png(path, image)
-                                              : module().write(path, format, image);
+// The bytes of a picture file. Throws IoError without the file's name.
+std::string encode_image(const std::string& format, const Image& image) {
+  if (format == "ppm") return encode_ppm(image);
+  if (format == "pfm") return encode_pfm(image);
+  if (format == "exr") return encode_exr(image);
+  if (format == "png") return encode_png(image);
+  std::string bytes;
+  const std::string fault = module().encode(format, image, &bytes);
   if (!fault.empty()) throw IoError(fault);
+  return bytes;
 }
 
 }  // namespace
@@ -131,18 +127,16 @@ void require_image_format(const std::string& path) {
 }
 
 void save_image(const std::string& path, const Image& image) {
-  static std::mutex names;  // frames may be saved by several threads
   require_image_format(path);
-  std::unique_lock lock(names);
-  WholeFile file(path);
-  lock.unlock();
+  Output output(path);
+  std::string bytes;
   try {
-    write_format(file.temporary(), format_of(path), image);
+    bytes = encode_image(format_of(path), image);
   } catch (const IoError& error) {
     throw IoError(path + ": " + error.what());
   }
-  lock.lock();
-  file.commit();
+  output.write(bytes);
+  output.commit();
 }
 
 }  // namespace strad

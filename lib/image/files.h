@@ -11,7 +11,7 @@ namespace strad {
 
 // Linear RGB. Integers are taken to be on the sRGB curve, floats to be linear. Grey fills all channels, alpha
 // is dropped. "-" is standard input, for PPM and PFM. Throws IoError or BadInput beginning with the
-// path.
+// path; a pixel that is not finite is bad, and so is what is no plain file, for it may never end.
 Image load_image(const std::string& path);
 
 // The same as 8-bit sRGB. The bytes of an 8-bit file are kept as they are.
@@ -19,7 +19,7 @@ SrgbImage load_srgb_image(const std::string& path);
 
 // The extension names the format. EXR: half floats, those above the largest half clamped to it, equal pixels
 // giving equal bytes. Integer formats are on the sRGB curve: 16 bits in TIFF, 8 elsewhere. The file is
-// complete or absent: it is written under another name and renamed.
+// complete or absent (stream/output_file.h).
 void save_image(const std::string& path, const Image& image);
 
 // Throws BadInput unless `save_image` knows the format of `path`. For tools that compute for long before they

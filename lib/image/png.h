@@ -1,4 +1,4 @@
-// Writes PNG files with libpng alone, without loading OpenImageIO.
+// Makes PNG files with libpng alone, without loading OpenImageIO.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace strad {
 
-// 8 bits on the sRGB curve. Returns an error message, empty for success.
-std::string write_png(const std::string& path, const Image& image);
+// The bytes of the file: 8 bits on the sRGB curve. Throws IoError.
+std::string encode_png(const Image& image);
 
 }  // namespace strad

@@ -95,6 +95,8 @@ void read_pfm_pixels(std::string_view data, float scale, bool grey, const std::s
       for (size_t channel = 0; channel < 3; ++channel)
         image->at(x, y)[static_cast<int>(channel)] =
             get_float(samples + 4 * (pixel * channels + (grey ? 0 : channel)), scale < 0);
+      if (!is_finite(image->at(x, y)))
+        throw BadInput(name + ": pixel " + std::to_string(x) + "," + std::to_string(y) + " is not finite");
     }
 }
 

@@ -4,9 +4,13 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "base/error.h"
 #include "base/text.h"
+#include "base/utf8.h"
+#include "import/coincident_lamps.h"
 
 namespace strad {
 namespace {
@@ -102,6 +106,62 @@ void drop_unused_points(Scene* scene) {
   }
 }
 
+// Names as UTF-8. Old programs write one byte a character.
+class NameRepair {
+ public:
+  template <class Named>
+  void repair(std::vector<Named>* things) {
+    for (Named& thing : *things) {
+      if (is_utf8(thing.name)) continue;
+      thing.name = utf8_from_latin1(thing.name);
+      if (++count_ == 1) first_ = thing.name;
+    }
+  }
+  void tell(const std::string& file, ImportReport* report) const {
+    if (count_ == 0) return;
+    report->add(std::to_string(count_) + " names that are not UTF-8 are taken as Latin-1, such as " +
+                    in_quotes(first_),
+                file, 0);
+  }
+
+ private:
+  size_t count_ = 0;
+  std::string first_;
+};
+
+void repair_names(Scene* scene, const std::string& file, ImportReport* report) {
+  NameRepair repair;
+  repair.repair(&scene->textures);
+  repair.repair(&scene->materials);
+  repair.repair(&scene->objects);
+  repair.repair(&scene->bodies);
+  repair.repair(&scene->spots);
+  repair.repair(&scene->cameras);
+  repair.tell(file, report);
+}
+
+// Vertices are stored as floats, and lights fall with the squares of lengths.
+void check_size(const Scene& scene, const std::string& name, ImportReport* report) {
+  constexpr double kSmallest = 1e-9, kTold = 1e-4;
+  Box box;
+  for (const Vec3& vertex : scene.vertices) box.add(vertex);
+  const double size = box.diagonal();
+  char text[128];
+  if (!(size >= kSmallest)) {
+    std::snprintf(text, sizeof text, ": is %.3g m in size, expected 1e-9 m or more", size);
+    throw BadInput(name + text);
+  }
+  float farthest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    farthest = std::max({farthest, std::abs(static_cast<float>(box.lower[axis])),
+                         std::abs(static_cast<float>(box.upper[axis]))});
+  const double error = 0.5 * (static_cast<double>(std::nextafter(farthest, INFINITY)) - farthest);
+  if (!(error > kTold * size)) return;
+  std::snprintf(text, sizeof text, "so far from the origin, vertices are stored with errors of up to %.1g m",
+                error);
+  report->add(text, name, 0);
+}
+
 }  // namespace
 
 Rgb limited_reflectance(Rgb reflectance, const std::string& file, uint32_t line, ImportReport* report) {
@@ -121,12 +181,20 @@ Rgb overridden_emission(Rgb emission, const std::string& name, const ImportOptio
   return emission;
 }
 
-Scene finish_import(Scene scene, const ImportOptions& options, const std::string& name) {
+Scene finish_import(Scene scene, const ImportOptions& options, const std::string& name,
+                    ImportReport* report) {
   if (scene.polygons.empty()) throw BadInput(name + ": has no polygons");
+  repair_names(&scene, name, report);
   override_emissions(&scene, options, name);
   drop_unused_points(&scene);
   turn_scene(&scene, {options.scale, options.up == 'z'});
-  validate(scene);
+  try {
+    validate(scene);
+  } catch (const BadInput& fault) {
+    throw BadInput(name + ": " + fault.what());
+  }
+  check_size(scene, name, report);
+  tell_coincident_lamps(scene, name, report);
   return scene;
 }
 

@@ -34,7 +34,8 @@ Rgb overridden_emission(Rgb emission, const std::string& name, const ImportOptio
 
 // The last steps of an import. Sets the emission that `options.lights` asks for, drops vertices and texture
 // coordinates that are not used, applies the scale and the upward axis (also to bodies, spots and cameras),
-// and validates. `name` is the file's in errors. Throws BadInput.
-Scene finish_import(Scene scene, const ImportOptions& options, const std::string& name);
+// takes names that are not UTF-8 as Latin-1, which is reported, and validates. `name` is the file's in
+// errors. Throws BadInput.
+Scene finish_import(Scene scene, const ImportOptions& options, const std::string& name, ImportReport* report);
 
 }  // namespace strad

@@ -21,7 +21,8 @@ std::vector<std::string> ImportReport::lines() const {
   std::vector<std::string> lines;
   for (const Entry& entry : entries_) {
     const std::string count = entry.count > 1 ? " (" + std::to_string(entry.count) + " in all)" : "";
-    lines.push_back(entry.file + ":" + std::to_string(entry.line) + ": " + entry.what + count);
+    const std::string line = entry.line > 0 ? ":" + std::to_string(entry.line) : "";
+    lines.push_back(entry.file + line + ": " + entry.what + count);
   }
   return lines;
 }

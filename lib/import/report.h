@@ -15,6 +15,7 @@ struct SkipOptions {
 // What was left out or changed. Each kind is one line: its first place in the file, and how often it occurs.
 class ImportReport {
  public:
+  // `line` 0: the whole file.
   void add(const std::string& what, const std::string& file, uint32_t line);
   std::vector<std::string> lines() const;
 

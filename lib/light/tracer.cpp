@@ -2,8 +2,6 @@
 
 #include <embree3/rtcore.h>
 
-#include <array>
-
 #include "base/error.h"
 #include "scene/trajectory.h"
 
@@ -15,6 +13,7 @@ struct Group {
   RTCScene scene = nullptr;
   uint32_t body = 0;
   bool moves = false;
+  Vec3 middle;  // the origin of Embree's coordinates, which are floats
   std::vector<uint32_t> polygon_of_triangle;
 };
 
@@ -35,11 +34,21 @@ RTCRay embree_ray(const LocalRay& local, double reach) {
   return ray;
 }
 
+// Floats tell apart 1e-7 of what they hold, and rays are lifted off surfaces by 1e-5 of the scene's diagonal.
+// So that this is not lost, coordinates that are further from the origin than a few diagonals are taken from
+// their middle.
+Vec3 middle_of(const std::vector<Vec3>& corners, double scene_diagonal) {
+  constexpr double kNear = 4;  // diagonals
+  Box box;
+  for (const Vec3& corner : corners) box.add(corner);
+  return length(box.centre()) > kNear * scene_diagonal ? box.centre() : Vec3{};
+}
+
 LocalRay into(const Group& group, const std::vector<Pose>& world_from_body, Vec3 from, Vec3 direction) {
-  if (!group.moves) return {from, direction};
+  if (!group.moves) return {from - group.middle, direction};
   const Pose& pose = world_from_body[group.body];
   const Quat back = conjugate(pose.rotation);
-  return {rotate(back, from - pose.translation), rotate(back, direction)};
+  return {rotate(back, from - pose.translation) - group.middle, rotate(back, direction)};
 }
 
 }  // namespace
@@ -57,19 +66,17 @@ struct Tracer::State {
     if (device) rtcReleaseDevice(device);
   }
 
-  void add_group(uint32_t body, bool moves, const std::vector<bool>& belongs) {
+  void add_group(uint32_t body, bool moves, const std::vector<uint32_t>& polygons) {
     Group group;
     group.body = body;
     group.moves = moves;
-    std::vector<std::array<float, 3>> positions;
-    for (uint32_t p = 0; p < scene->polygons.size(); ++p) {
+    std::vector<Vec3> positions;
+    for (const uint32_t p : polygons) {
       const Polygon& polygon = scene->polygons[p];
       const uint32_t owner = body_of(*scene, polygon);
-      if (!belongs[owner]) continue;
       const auto push = [&](int corner) {
         const Vec3 rest = scene->vertices[polygon.corners[corner]];
-        const Vec3 at = moves ? rest : static_poses[owner] * rest;
-        positions.push_back({static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)});
+        positions.push_back(moves ? rest : static_poses[owner] * rest);
       };
       for (int t = 0; t + 2 < polygon.corner_count(); ++t) {
         push(0), push(t + 1), push(t + 2);
@@ -77,6 +84,7 @@ struct Tracer::State {
       }
     }
     if (positions.empty()) return;
+    group.middle = middle_of(positions, scene_box.diagonal());
     group.scene = rtcNewScene(device);
     rtcSetSceneFlags(group.scene, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -86,7 +94,9 @@ struct Tracer::State {
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), positions.size() / 3));
     if (!vertices || !indices) throw IoError("out of memory for the ray tracer");
     for (size_t i = 0; i < positions.size(); ++i) {
-      for (int axis = 0; axis < 3; ++axis) vertices[3 * i + axis] = positions[i][axis];
+      for (int axis = 0; axis < 3; ++axis)
+        vertices[3 * i + static_cast<size_t>(axis)] =
+            static_cast<float>(positions[i][axis] - group.middle[axis]);
       indices[i] = static_cast<uint32_t>(i);
     }
     rtcCommitGeometry(geometry);
@@ -98,7 +108,8 @@ struct Tracer::State {
 
   bool occluded(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction) const {
     const LocalRay local = into(group, poses, from, direction);
-    if (group.moves && !body_boxes[group.body].meets(local.from, local.direction, 1)) return false;
+    if (group.moves && !body_boxes[group.body].meets(local.from + group.middle, local.direction, 1))
+      return false;
     RTCRay ray = embree_ray(local, 1.0);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -110,7 +121,8 @@ struct Tracer::State {
                SurfaceHit* best) const {
     const LocalRay local = into(group, poses, from, direction);
     if (best->polygon != kNone) reach = best->distance;
-    if (group.moves && !body_boxes[group.body].meets(local.from, local.direction, reach)) return;
+    if (group.moves && !body_boxes[group.body].meets(local.from + group.middle, local.direction, reach))
+      return;
     RTCRayHit query{};
     query.ray = embree_ray(local, reach);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -123,7 +135,7 @@ struct Tracer::State {
     best->front = query.hit.Ng_x * query.ray.dir_x + query.hit.Ng_y * query.ray.dir_y +
                       query.hit.Ng_z * query.ray.dir_z <
                   0;
-    const Vec3 at = local.from + best->distance * local.direction;
+    const Vec3 at = local.from + group.middle + best->distance * local.direction;
     const uint32_t body = body_of(*scene, scene->polygons[best->polygon]);
     best->rest_point = group.moves || body == 0 ? at : inverse(static_poses[body]) * at;
   }
@@ -133,18 +145,6 @@ Tracer::Tracer(const Scene& scene) : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.scene = &scene;
   s.static_poses = poses_at(scene, scene.start);
-  s.device = rtcNewDevice("set_affinity=0");
-  if (!s.device) throw IoError("the ray tracer could not be started");
-  const std::vector<bool> moving = moving_bodies(scene);
-  std::vector<bool> still(moving.size());
-  for (size_t b = 0; b < moving.size(); ++b) still[b] = !moving[b];
-  s.add_group(0, false, still);
-  for (uint32_t b = 0; b < moving.size(); ++b) {
-    if (!moving[b]) continue;
-    std::vector<bool> one(moving.size(), false);
-    one[b] = true;
-    s.add_group(b, true, one);
-  }
   s.body_boxes.resize(scene.bodies.size());
   for (const Polygon& polygon : scene.polygons)
     for (int c = 0; c < polygon.corner_count(); ++c) {
@@ -152,6 +152,17 @@ Tracer::Tracer(const Scene& scene) : state_(std::make_unique<State>()) {
       s.body_boxes[body_of(scene, polygon)].add(at);
       s.scene_box.add(at);
     }
+  s.device = rtcNewDevice("set_affinity=0");
+  if (!s.device) throw IoError("the ray tracer could not be started");
+  const std::vector<bool> moving = moving_bodies(scene);
+  std::vector<std::vector<uint32_t>> polygons_of(moving.size());  // all that are still at 0
+  for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
+    const uint32_t body = body_of(scene, scene.polygons[p]);
+    polygons_of[moving[body] ? body : 0].push_back(p);
+  }
+  s.add_group(0, false, polygons_of[0]);
+  for (uint32_t b = 1; b < moving.size(); ++b)
+    if (moving[b]) s.add_group(b, true, polygons_of[b]);
 }
 
 Tracer::~Tracer() = default;

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "scene/motion_keys.h"
 #include "scene/motion_words.h"
+#include "scene/name_index.h"
 
 namespace strad {
 namespace {
@@ -166,31 +167,34 @@ double parse_rate(const BlockText& text) {
   return rate;
 }
 
-// Of two blocks of one name, the later replaces the earlier.
-template <class Block, class NameOf>
-void put(std::vector<Block>& blocks, Block block, NameOf name) {
-  for (Block& earlier : blocks) {
-    if (name(earlier) != name(block)) continue;
-    earlier = std::move(block);
-    return;
-  }
-  blocks.push_back(std::move(block));
-}
+// Takes the blocks of a file. Of two blocks of one name, the later replaces the earlier.
+class BlockTaker {
+ public:
+  void take(const BlockText& text);
+  MotionBlocks blocks;
 
-void parse_block(const BlockText& text, MotionBlocks& blocks) {
+ private:
+  NameIndex<BodyBlock> bodies_{&blocks.bodies,
+                               [](const BodyBlock& b) -> const std::string& { return b.body.name; }};
+  NameIndex<SpotBlock> spots_{&blocks.spots,
+                              [](const SpotBlock& b) -> const std::string& { return b.spot.name; }};
+  NameIndex<GlowBlock> glows_{&blocks.glows,
+                              [](const GlowBlock& b) -> const std::string& { return b.material.name; }};
+  NameIndex<Camera> cameras_ = index_of_names(&blocks.cameras);
+};
+
+void BlockTaker::take(const BlockText& text) {
   const std::string& keyword = text.head.words[0];
   if (keyword == "body") {
-    put(blocks.bodies, parse_body(text), [](const BodyBlock& block) { return block.body.name; });
+    bodies_.put(parse_body(text));
   } else if (keyword == "spot") {
-    put(blocks.spots, parse_spot(text), [](const SpotBlock& block) { return block.spot.name; });
+    spots_.put(parse_spot(text));
   } else if (keyword == "glow") {
     const MotionName material{name_of(text, "the name of a material"), text.head.number};
-    put(blocks.glows, GlowBlock{material, parse_keys<GlowKey>(text)},
-        [](const GlowBlock& block) { return block.material.name; });
+    glows_.put({material, parse_keys<GlowKey>(text)});
   } else if (keyword == "camera") {
     const std::string name = name_of(text, "the name of the camera");
-    put(blocks.cameras, Camera{name, parse_keys<CameraKey>(text)},
-        [](const Camera& block) { return block.name; });
+    cameras_.put({name, parse_keys<CameraKey>(text)});
   } else if (keyword != "time" && keyword != "rate") {
     fail_at(text.file, text.head.number, in_quotes(keyword), "time, rate, body, spot, glow or camera");
   } else if (!text.settings.empty()) {
@@ -208,17 +212,17 @@ void parse_block(const BlockText& text, MotionBlocks& blocks) {
 
 MotionBlocks parse_motion(std::string_view text, const std::string& file) {
   const std::vector<MotionLine> lines = motion_lines(text, file);
-  MotionBlocks blocks;
+  BlockTaker taker;
   for (size_t i = 0; i < lines.size();) {
     if (lines[i].indented)
       fail_at(file, lines[i].number, "an indented " + in_quotes(lines[i].words[0]) + " under no statement",
               "time, rate, body, spot, glow or camera in column one");
     size_t end = i + 1;
     while (end < lines.size() && lines[end].indented) ++end;
-    parse_block({file, lines[i], std::span(lines).subspan(i + 1, end - i - 1)}, blocks);
+    taker.take({file, lines[i], std::span(lines).subspan(i + 1, end - i - 1)});
     i = end;
   }
-  return blocks;
+  return std::move(taker.blocks);
 }
 
 }  // namespace strad

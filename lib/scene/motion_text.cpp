@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 #include "base/error.h"
 #include "base/text.h"
 #include "scene/motion_blocks.h"
 #include "scene/motion_keys.h"
 #include "scene/motion_words.h"
+#include "scene/name_index.h"
 
 namespace strad {
 namespace {
@@ -25,119 +27,161 @@ std::string names_of(const std::vector<Named>& things) {
   return list + (things.size() > kNamesShown ? ", ..." : "");
 }
 
-template <class Named>
-uint32_t find_named(const std::vector<Named>& things, const std::string& name) {
-  const auto at = std::find_if(things.begin(), things.end(), [&](const Named& t) { return t.name == name; });
-  return at == things.end() ? kNone : static_cast<uint32_t>(at - things.begin());
-}
+// Compiles blocks onto a scene.
+class MotionCompiler {
+ public:
+  MotionCompiler(const std::string& file, Scene* scene)
+      : file_(file), scene_(*scene), bodies_(index_of_names(&scene->bodies)) {}
+  void apply_bodies(const std::vector<BodyBlock>& blocks);
+  void apply_spots(const std::vector<SpotBlock>& blocks);
+  void apply_glows(const std::vector<GlowBlock>& blocks);
 
-// Replaces the item of that name, or appends it if there is none. Returns its index.
-template <class Named>
-uint32_t put_named(std::vector<Named>& things, const Named& thing) {
-  const uint32_t at = find_named(things, thing.name);
-  if (at == kNone) {
-    things.push_back(thing);
-    return static_cast<uint32_t>(things.size() - 1);
-  }
-  things[at] = thing;
-  return at;
-}
+ private:
+  uint32_t body_named(const MotionName& on) const;
+  void claim_part(const MotionName& part, uint32_t body);
+  void claim(uint32_t object, const MotionName& part, uint32_t body);
+  void refuse_cycle(uint32_t body, const MotionName& on) const;
+  void sort_bodies();
+
+  const std::string& file_;
+  Scene& scene_;
+  NameIndex<Body> bodies_;
+  std::unordered_map<std::string, std::vector<uint32_t>> objects_;
+};
 
 // Index of the body that `on` names; the world if it is empty.
-uint32_t body_named(const MotionName& on, const std::string& file, const Scene& scene) {
+uint32_t MotionCompiler::body_named(const MotionName& on) const {
   if (on.line == 0) return 0;
-  const uint32_t body = find_named(scene.bodies, on.name);
+  const uint32_t body = bodies_.find(on.name);
   if (body == kNone)
-    fail_at(file, on.line, in_quotes(on.name), "the name of a body (" + names_of(scene.bodies) + ")");
+    fail_at(file_, on.line, in_quotes(on.name), "the name of a body (" + names_of(scene_.bodies) + ")");
   return body;
 }
 
-void claim_part(const MotionName& part, uint32_t body, const std::string& file, Scene& scene) {
+void MotionCompiler::claim(uint32_t index, const MotionName& part, uint32_t body) {
+  Object& object = scene_.objects[index];
+  if (object.body != 0 && object.body != body)
+    fail_at(file_, part.line,
+            "object " + in_quotes(object.name) + " of body " + in_quotes(scene_.bodies[object.body].name),
+            "an object of no other body");
+  object.body = body;
+}
+
+// A name without the signs of shell patterns is looked up, for there may be many bodies.
+void MotionCompiler::claim_part(const MotionName& part, uint32_t body) {
   bool matched = false;
-  for (Object& object : scene.objects) {
-    if (fnmatch(part.name.c_str(), object.name.c_str(), 0) != 0) continue;
-    matched = true;
-    if (object.body != 0 && object.body != body)
-      fail_at(file, part.line,
-              "object " + in_quotes(object.name) + " of body " + in_quotes(scene.bodies[object.body].name),
-              "an object of no other body");
-    object.body = body;
+  if (part.name.find_first_of("*?[\\") == part.name.npos) {
+    const auto found = objects_.find(part.name);
+    matched = found != objects_.end();
+    if (matched)
+      for (const uint32_t object : found->second) claim(object, part, body);
+  } else {
+    for (uint32_t i = 0; i < scene_.objects.size(); ++i) {
+      if (fnmatch(part.name.c_str(), scene_.objects[i].name.c_str(), 0) != 0) continue;
+      matched = true;
+      claim(i, part, body);
+    }
   }
   if (!matched)
-    fail_at(file, part.line, "no object named " + in_quotes(part.name),
-            "a name or pattern of objects (" + names_of(scene.objects) + ")");
+    fail_at(file_, part.line, "no object named " + in_quotes(part.name),
+            "a name or pattern of objects (" + names_of(scene_.objects) + ")");
 }
 
-void refuse_cycle(uint32_t body, const MotionName& on, const std::string& file, const Scene& scene) {
-  std::string path = scene.bodies[body].name;
-  uint32_t above = scene.bodies[body].parent;
-  // After as many steps as there are bodies the walk is in a cycle further up, which does not contain this
-  // body. It is reported for the bodies in it.
-  for (size_t step = 0; above != 0 && step < scene.bodies.size(); ++step) {
-    path += " on " + scene.bodies[above].name;
-    if (above == body)
-      fail_at(file, on.line, "a cycle (" + path + ")", "a parent that does not ride on this body");
-    above = scene.bodies[above].parent;
+// REQUIRES: `body` is in a cycle.
+void MotionCompiler::refuse_cycle(uint32_t body, const MotionName& on) const {
+  std::string path = scene_.bodies[body].name;
+  uint32_t above = body;
+  do {
+    above = scene_.bodies[above].parent;
+    path += " on " + scene_.bodies[above].name;
+  } while (above != body);
+  fail_at(file_, on.line, "a cycle (" + path + ")", "a parent that does not ride on this body");
+}
+
+// How many parents each body has up to the world; kNone for bodies in a cycle and those that ride on them.
+std::vector<uint32_t> depths_of(const std::vector<Body>& bodies) {
+  std::vector<uint32_t> depth(bodies.size(), kNone), chain;
+  std::vector<bool> seen(bodies.size());
+  depth[0] = 0;
+  for (uint32_t body = 0; body < bodies.size(); ++body) {
+    chain.clear();
+    uint32_t above = body;
+    for (; !seen[above] && depth[above] == kNone; above = bodies[above].parent) {
+      seen[above] = true;
+      chain.push_back(above);
+    }
+    if (depth[above] == kNone) continue;  // a cycle
+    uint32_t next = depth[above];
+    for (auto link = chain.rbegin(); link != chain.rend(); ++link) depth[*link] = ++next;
   }
-}
-
-uint32_t depth_of(uint32_t body, const Scene& scene) {
-  uint32_t depth = 0;
-  for (; body != 0; body = scene.bodies[body].parent) ++depth;
   return depth;
 }
 
+// Whether a walk up from `body` comes back to it.
+bool is_in_cycle(uint32_t body, const std::vector<Body>& bodies) {
+  uint32_t above = bodies[body].parent;
+  for (size_t step = 0; above != body && step < bodies.size(); ++step) above = bodies[above].parent;
+  return above == body;
+}
+
 // Puts parents before their children, otherwise keeping the order. REQUIRES: no cycles.
-void sort_bodies(Scene& scene) {
-  std::vector<uint32_t> order(scene.bodies.size()), depth(scene.bodies.size());
+void MotionCompiler::sort_bodies() {
+  const std::vector<uint32_t> depth = depths_of(scene_.bodies);
+  std::vector<uint32_t> order(scene_.bodies.size());
   std::iota(order.begin(), order.end(), 0u);
-  for (const uint32_t body : order) depth[body] = depth_of(body, scene);
   std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return depth[a] < depth[b]; });
   std::vector<uint32_t> place(order.size());
   for (uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
   std::vector<Body> sorted;
   for (const uint32_t body : order) {
-    Body& moved = sorted.emplace_back(std::move(scene.bodies[body]));
+    Body& moved = sorted.emplace_back(std::move(scene_.bodies[body]));
     moved.parent = place[moved.parent];
   }
-  scene.bodies = std::move(sorted);
-  for (Object& object : scene.objects) object.body = place[object.body];
-  for (Spot& spot : scene.spots) spot.body = place[spot.body];
+  scene_.bodies = std::move(sorted);
+  bodies_ = index_of_names(&scene_.bodies);
+  for (Object& object : scene_.objects) object.body = place[object.body];
+  for (Spot& spot : scene_.spots) spot.body = place[spot.body];
 }
 
-void apply_bodies(const std::vector<BodyBlock>& blocks, const std::string& file, Scene& scene) {
+void MotionCompiler::apply_bodies(const std::vector<BodyBlock>& blocks) {
+  for (uint32_t i = 0; i < scene_.objects.size(); ++i) objects_[scene_.objects[i].name].push_back(i);
   std::vector<uint32_t> bodies;
-  for (const BodyBlock& block : blocks) {
-    bodies.push_back(put_named(scene.bodies, block.body));
-    for (Object& object : scene.objects)
-      if (object.body == bodies.back()) object.body = 0;
-  }
+  for (const BodyBlock& block : blocks) bodies.push_back(bodies_.put(block.body));
+  std::vector<bool> is_new(scene_.bodies.size());
+  for (const uint32_t body : bodies) is_new[body] = true;
+  for (Object& object : scene_.objects)
+    if (is_new[object.body]) object.body = 0;
   for (size_t i = 0; i < blocks.size(); ++i) {
-    scene.bodies[bodies[i]].parent = body_named(blocks[i].on, file, scene);
-    for (const MotionName& part : blocks[i].parts) claim_part(part, bodies[i], file, scene);
+    scene_.bodies[bodies[i]].parent = body_named(blocks[i].on);
+    for (const MotionName& part : blocks[i].parts) claim_part(part, bodies[i]);
   }
-  for (size_t i = 0; i < blocks.size(); ++i) refuse_cycle(bodies[i], blocks[i].on, file, scene);
-  sort_bodies(scene);
+  const std::vector<uint32_t> depth = depths_of(scene_.bodies);
+  for (size_t i = 0; i < blocks.size(); ++i)
+    if (depth[bodies[i]] == kNone && is_in_cycle(bodies[i], scene_.bodies))
+      refuse_cycle(bodies[i], blocks[i].on);
+  sort_bodies();
 }
 
-void apply_spots(const std::vector<SpotBlock>& blocks, const std::string& file, Scene& scene) {
+void MotionCompiler::apply_spots(const std::vector<SpotBlock>& blocks) {
+  NameIndex<Spot> spots = index_of_names(&scene_.spots);
   for (const SpotBlock& block : blocks) {
     Spot spot = block.spot;
-    spot.body = body_named(block.on, file, scene);
-    put_named(scene.spots, spot);
+    spot.body = body_named(block.on);
+    spots.put(spot);
   }
 }
 
-void apply_glows(const std::vector<GlowBlock>& blocks, const std::string& file, Scene& scene) {
+void MotionCompiler::apply_glows(const std::vector<GlowBlock>& blocks) {
+  const NameIndex<Material> materials = index_of_names(&scene_.materials);
   for (const GlowBlock& block : blocks) {
-    const uint32_t material = find_named(scene.materials, block.material.name);
+    const uint32_t material = materials.find(block.material.name);
     if (material == kNone)
-      fail_at(file, block.material.line, in_quotes(block.material.name),
-              "the name of a material (" + names_of(scene.materials) + ")");
-    std::erase_if(scene.glows, [&](const Glow& glow) { return glow.material == material; });
-    scene.glows.push_back({material, block.keys});
+      fail_at(file_, block.material.line, in_quotes(block.material.name),
+              "the name of a material (" + names_of(scene_.materials) + ")");
+    std::erase_if(scene_.glows, [&](const Glow& glow) { return glow.material == material; });
+    scene_.glows.push_back({material, block.keys});
   }
-  std::sort(scene.glows.begin(), scene.glows.end(),
+  std::sort(scene_.glows.begin(), scene_.glows.end(),
             [](const Glow& a, const Glow& b) { return a.material < b.material; });
 }
 
@@ -150,10 +194,12 @@ void apply_motion(std::string_view text, const std::string& file, Scene& scene) 
     scene.end = blocks.interval->end;
   }
   if (blocks.rate) scene.rate = *blocks.rate;
-  apply_bodies(blocks.bodies, file, scene);
-  apply_spots(blocks.spots, file, scene);
-  apply_glows(blocks.glows, file, scene);
-  for (const Camera& camera : blocks.cameras) put_named(scene.cameras, camera);
+  MotionCompiler compiler(file, &scene);
+  compiler.apply_bodies(blocks.bodies);
+  compiler.apply_spots(blocks.spots);
+  compiler.apply_glows(blocks.glows);
+  NameIndex<Camera> cameras = index_of_names(&scene.cameras);
+  for (const Camera& camera : blocks.cameras) cameras.put(camera);
   try {
     validate(scene);
   } catch (const BadInput& error) {

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text.h"
+#include "base/utf8.h"
 #include "scene/scene.h"
 
 namespace strad {
@@ -9,6 +11,8 @@ namespace {
 
 constexpr double kMostFrames = 1e9;  // frame numbers fit an int
 constexpr double kUnitTolerance = 1e-6;
+// Squares of lengths must fit a float, in which rays are traced. Stretches of a light year are 1e16 m.
+constexpr double kFarthest = 1e15;
 
 [[noreturn]] void fail(const std::string& kind, size_t index, const std::string& fault) {
   throw BadInput(kind + " " + std::to_string(index) + ": " + fault);
@@ -22,9 +26,33 @@ std::string index_fault(const std::string& what, uint64_t index, size_t count) {
   return what + " is " + std::to_string(index) + ", expected less than " + std::to_string(count);
 }
 
+constexpr const char* kNotPlaced = "a coordinate is not finite, or beyond 1e15 m";
+
+bool is_placed(Vec3 p) {
+  return std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest && std::abs(p.z) <= kFarthest;
+}
+
+// Names are shown and written by many programs.
+void check_name(const std::string& kind, const std::string& name) {
+  if (!is_utf8(name)) throw BadInput(kind + " " + in_quotes(name) + ": its name is not UTF-8");
+  for (const char c : name)
+    if ((c >= 0 && c < ' ') || c == 0x7f)
+      throw BadInput(kind + " " + in_quotes(name) + ": its name holds a control character");
+}
+
+void check_names(const Scene& scene) {
+  for (const std::string& line : scene.provenance) check_name("provenance", line);
+  for (const Texture& texture : scene.textures) check_name("texture", texture.name);
+  for (const Material& material : scene.materials) check_name("material", material.name);
+  for (const Object& object : scene.objects) check_name("object", object.name);
+  for (const Body& body : scene.bodies) check_name("body", body.name);
+  for (const Spot& spot : scene.spots) check_name("spot", spot.name);
+  for (const Camera& camera : scene.cameras) check_name("camera", camera.name);
+}
+
 void check_points(const Scene& scene) {
   for (size_t i = 0; i < scene.vertices.size(); ++i)
-    if (!is_finite(scene.vertices[i])) fail("vertex", i, "a coordinate is not finite");
+    if (!is_placed(scene.vertices[i])) fail("vertex", i, kNotPlaced);
   for (size_t i = 0; i < scene.uvs.size(); ++i)
     if (!std::isfinite(scene.uvs[i].x) || !std::isfinite(scene.uvs[i].y))
       fail("texture coordinate", i, "it is not finite");
@@ -75,13 +103,14 @@ bool is_unit(Quat q) { return std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z *
 void check_body(const Scene& scene, size_t i) {
   const Body& body = scene.bodies[i];
   if (i > 0 && body.parent >= i) fail("body", body.name, "its parent does not come before it");
-  if (!is_finite(body.pivot)) fail("body", body.name, "its pivot is not finite");
+  if (!is_placed(body.pivot)) fail("body", body.name, "its pivot is not finite, or beyond 1e15 m");
   if (!(std::abs(length2(body.axis) - 1) <= kUnitTolerance))
     fail("body", body.name, "its axis has not length 1");
   if (body.ease != Ease::kLinear && body.ease != Ease::kSmooth) fail("body", body.name, "unknown easing");
   check_times(body.keys, "body", body.name);
   for (const BodyKey& key : body.keys) {
-    if (!is_finite(key.move) || !std::isfinite(key.turn)) fail("body", body.name, "a key is not finite");
+    if (!is_placed(key.move)) fail("body", body.name, kNotPlaced);
+    if (!std::isfinite(key.turn)) fail("body", body.name, "a key is not finite");
     if (key.has_quat && !is_unit(key.quat)) fail("body", body.name, "a quaternion has not length 1");
   }
 }
@@ -94,7 +123,7 @@ void check_spot(const Scene& scene, const Spot& spot) {
   if (spot.keys.empty()) fail("spot", spot.name, "it has no key");
   check_times(spot.keys, "spot", spot.name);
   for (const SpotKey& key : spot.keys) {
-    if (!is_finite(key.at) || !is_finite(key.aim)) fail("spot", spot.name, "a key is not finite");
+    if (!is_placed(key.at) || !is_placed(key.aim)) fail("spot", spot.name, kNotPlaced);
     for (int c = 0; c < 3; ++c)
       if (!(key.intensity[c] >= 0 && std::isfinite(key.intensity[c])))
         fail("spot", spot.name, "an intensity is negative or not finite");
@@ -122,8 +151,8 @@ void check_camera(const Camera& camera) {
   if (camera.keys.empty()) fail("camera", camera.name, "it has no key");
   check_times(camera.keys, "camera", camera.name);
   for (const CameraKey& key : camera.keys) {
-    if (!is_finite(key.from) || !is_finite(key.to) || !is_finite(key.up))
-      fail("camera", camera.name, "a key is not finite");
+    if (!is_placed(key.from) || !is_placed(key.to)) fail("camera", camera.name, kNotPlaced);
+    if (!is_finite(key.up)) fail("camera", camera.name, "a key is not finite");
     if (!(key.fov > 0 && key.fov < kPi))
       fail("camera", camera.name, "its field of view is not within 0..180 degrees");
   }
@@ -149,6 +178,7 @@ void check_bodies(const Scene& scene) {
 }  // namespace
 
 void validate(const Scene& scene) {
+  check_names(scene);
   check_time(scene);
   check_points(scene);
   for (size_t i = 0; i < scene.polygons.size(); ++i) check_polygon(scene, i);

@@ -107,7 +107,7 @@ IndirectOptions indirect_options(double diagonal, double error, double mean, flo
 void check(const Scene& scene, const SolveOptions& options) {
   const auto within = [&](double time, const char* what) {
     if (!(time >= scene.start && time <= scene.end))
-      throw BadInput(std::string(what) + ": found " + std::to_string(time) +
+      throw BadInput(std::string("the slab's ") + what + ": found " + std::to_string(time) +
                      " s, expected a time in the animation, " + std::to_string(scene.start) + " to " +
                      std::to_string(scene.end) + " s");
   };

@@ -6,28 +6,13 @@
 #include <string>
 
 #include "stream/bytes.h"
+#include "stream/temporary_file.h"
 
 namespace strad {
 
-// Data goes to a temporary file in the same folder, with the same extension, which `commit` renames to
-// `path`. Without `commit` it is removed, also when the program is interrupted. Anything but a plain file
-// (/dev/null, a named pipe) is written in place.
-class WholeFile {
- public:
-  explicit WholeFile(const std::string& path);
-  ~WholeFile();
-  WholeFile(const WholeFile&) = delete;
-  WholeFile& operator=(const WholeFile&) = delete;
-
-  const std::string& temporary() const { return temporary_; }  // write here
-  void commit();                                               // throws IoError
-
- private:
-  std::string path_, temporary_;
-  bool committed_ = false;
-};
-
-// Bytes to a file (complete or absent), or to standard output when `path` is "" or "-".
+// Bytes to a file (complete or absent), or to standard output when `path` is "" or "-". Symbolic links are
+// followed, also to a file that is not there yet, so that they stay. Anything but a plain file (/dev/null, a
+// named pipe) is written in place.
 class Output {
  public:
   explicit Output(const std::string& path);  // throws IoError when it cannot be opened
@@ -42,7 +27,7 @@ class Output {
 
  private:
   std::string name_;
-  std::unique_ptr<WholeFile> file_;
+  std::unique_ptr<TemporaryFile> file_;
   std::FILE* handle_ = nullptr;
 };
 

@@ -30,7 +30,7 @@ refused 'cut.strad: byte 700:' strad-info cut.strad
 refused "long.strad: byte $size: found bytes after" strad-info long.strad
 refused 'flipped.strad: byte ' strad-info flipped.strad
 refused 'absent.strad: cannot be opened' strad-info absent.strad
-refused ': found a folder' strad-info .
+refused ': is a directory' strad-info .
 refused '--bogus' strad-info --bogus
 refused 'whole.strad' strad-join whole.strad whole.strad  # overlap in time
 refused 'byte 700' strad-join -o joined.strad cut.strad

@@ -47,6 +47,21 @@ for file in frames/*.pfm; do
   test "$(stat -c %s $file)" = $((12 * 40 * 40 + ${#header}))
 done
 
+# A disk that is full, or as here a limit of a kilobyte: one line that names the file, and nothing is left. 100 x 100
+# pixels of light with edges are more than that in every format.
+mkdir full
+strad-motion $scene.motion scene.strad | strad-solve -e 0.5 -o room.strad
+limited() { bash -c 'ulimit -f 1; exec "$@"' limited "$@"; }
+for format in jpg png exr tif bmp ppm pfm sgi tga; do
+  fails limited strad-frame -f 1 -s 100x100 -o full/a.$format room.strad
+  grep -q "^strad-frame: full/a.$format: cannot be written: " err || { cat err; exit 1; }
+done
+fails limited strad-solve -e 0.5 moving.strad -o full/a.strad
+fails limited strad-frame --ply -f 1 -o full/a.ply room.strad
+test -z "$(ls -A full)"
+fails limited strad-frame --pov -f 1 -o full/a.inc room.strad  # of several files, of which some are small enough
+test ! -e full/a.inc && test -z "$(find full -name '.*' -type f)"
+
 # If it succeeds, the complete file replaces what was there.
 strad-motion $scene.motion scene.strad -o out/a.strad
 strad-info out/a.strad >/dev/null

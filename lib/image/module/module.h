@@ -12,7 +12,8 @@ struct ImageModule {
   std::string (*read)(const std::string& path, Image* image);
   std::string (*read_srgb)(const std::string& path, SrgbImage* image);
   bool (*knows)(const std::string& format);  // an extension without its dot
-  std::string (*write)(const std::string& path, const std::string& format, const Image& image);
+  // `bytes` are those of the file.
+  std::string (*encode)(const std::string& format, const Image& image, std::string* bytes);
 };
 
 // The one symbol that is looked up in the module; `ImageModuleEntry` is its type.

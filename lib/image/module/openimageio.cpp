@@ -1,8 +1,16 @@
 // The only user of OpenImageIO: all picture formats but PPM and PFM, and EXR and PNG to be written.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <mutex>
 
 #include "image/module/module.h"
 #include "image/srgb.h"
@@ -21,11 +29,45 @@ void keep_to_one_thread() {
   static_cast<void>(done);
 }
 
+// libpng prints its errors and warnings, which OpenImageIO returns as well: while this lives, they go
+// nowhere.
+class Silence {
+ public:
+  Silence() : lock_(mutex_), kept_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)) {
+    const int nowhere = kept_ >= 0 ? ::open("/dev/null", O_WRONLY | O_CLOEXEC) : -1;
+    if (nowhere < 0) return;
+    ::dup2(nowhere, STDERR_FILENO);
+    ::close(nowhere);
+  }
+  ~Silence() {
+    if (kept_ < 0) return;
+    ::dup2(kept_, STDERR_FILENO);
+    ::close(kept_);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  static inline std::mutex mutex_;  // the streams of a process are one
+  const std::lock_guard<std::mutex> lock_;
+  const int kept_;
+};
+
+// OpenImageIO fills what is missing of a cut JPEG file with grey. Such a file has no end of image (FF D9)
+// after the start of its last scan (FF DA), which are no bytes of coded pixels (ITU T.81, B.1.1.5).
+bool is_cut_jpeg(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const size_t scan = bytes.rfind("\xff\xda"), end = bytes.rfind("\xff\xd9");
+  return scan != bytes.npos && (end == bytes.npos || end < scan);
+}
+
 // Opens `path` and reads its first `channels` channels (1 or 3) as `type`.
 template <class Sample>
 std::string read_channels(const std::string& path, OIIO::TypeDesc type, OIIO::ImageSpec* spec,
                           std::vector<Sample>* samples) {
   keep_to_one_thread();
+  const Silence silence;
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
   if (!input) return "cannot be read as a picture: " + first_line(OIIO::geterror());
   *spec = input->spec();
@@ -38,7 +80,14 @@ std::string read_channels(const std::string& path, OIIO::TypeDesc type, OIIO::Im
                   static_cast<size_t>(channels));
   if (!input->read_image(0, 0, 0, channels, type, samples->data()))
     return "cannot be read: " + first_line(input->geterror());
+  if (input->format_name() == std::string("jpeg") && is_cut_jpeg(path))
+    return "cannot be read: it is cut off";
   spec->nchannels = channels;
+  for (size_t i = 0; i < samples->size(); ++i) {
+    if (std::isfinite((*samples)[i])) continue;
+    const size_t pixel = i / static_cast<size_t>(channels), width = static_cast<size_t>(spec->width);
+    return "pixel " + std::to_string(pixel % width) + "," + std::to_string(pixel / width) + " is not finite";
+  }
   return "";
 }
 
@@ -124,17 +173,45 @@ bool knows(const std::string& format) {
   return known;
 }
 
-std::string write(const std::string& path, const std::string& format, const Image& image) {
+// A file in memory, under a name.
+class MemoryFile {
+ public:
+  MemoryFile() : descriptor_(::memfd_create("picture", MFD_CLOEXEC)) {}
+  ~MemoryFile() { ::close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  std::string name() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+  std::string bytes() const {
+    std::ifstream file(name(), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+ private:
+  int descriptor_;
+};
+
+// In plain memory, for a disk may be full: libjpeg then ends the program, and others do not tell. Some
+// formats are written by name only; TIFF comes out damaged from IOVecOutput in OpenImageIO 2.4.
+std::string encode(const std::string& format, const Image& image, std::string* bytes) {
   keep_to_one_thread();
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
   if (!output) return "no writer for this format: " + first_line(OIIO::geterror());
-  if (!output->open(path, spec_for(image, format)) || !write_samples(output.get(), format, image) ||
-      !output->close())
+  OIIO::Filesystem::IOVecOutput memory;
+  const bool by_name = is_word_format(format) || !output->supports("ioproxy");
+  const MemoryFile file;
+  if (!by_name) output->set_ioproxy(&memory);
+  if (!output->open(by_name ? file.name() : "picture." + format, spec_for(image, format)) ||
+      !write_samples(output.get(), format, image) || !output->close())
     return "cannot be written: " + first_line(output->geterror());
+  *bytes = by_name ? file.bytes() : std::string(memory.buffer().begin(), memory.buffer().end());
+  // Even a file in memory may meet a limit (ulimit -f), which some writers do not tell.
+  Image back;
+  if (by_name && !read(file.name(), &back).empty()) return "cannot be written: File too large";
   return "";
 }
 
-constexpr strad::ImageModule kModule{read, read_srgb, knows, write};
+constexpr strad::ImageModule kModule{read, read_srgb, knows, encode};
 
 }  // namespace
 

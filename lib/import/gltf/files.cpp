@@ -1,8 +1,11 @@
 #include "import/gltf/files.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <cstring>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
 
 namespace strad {
 
@@ -14,16 +17,34 @@ bool is_inside(const std::filesystem::path& path, const std::filesystem::path& f
          std::mismatch(base.begin(), base.end(), whole.begin(), whole.end()).first == base.end();
 }
 
-bool is_plain_file(const std::string& path) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(path, error);
+namespace {
+
+// `check` sees all that was read so far.
+void append_blocks(const std::string& path, std::vector<unsigned char>* bytes,
+                   const std::function<void(std::string_view block)>& check) {
+  constexpr size_t kMost = 0x7fffffff;
+  read_blocks(path, "a glTF file", [&](std::string_view block) {
+    bytes->insert(bytes->end(), block.begin(), block.end());
+    if (bytes->size() > kMost) throw BadInput(text_name(path) + ": is longer than 2 GiB");
+    check(block);
+  });
 }
 
-bool read_file_bytes(const std::string& path, std::vector<unsigned char>* bytes) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return false;
-  bytes->assign(std::istreambuf_iterator<char>(file), {});
-  return !file.bad();
+}  // namespace
+
+void append_file(const std::string& path, std::vector<unsigned char>* bytes) {
+  append_blocks(path, bytes, [](std::string_view) {});
+}
+
+std::vector<unsigned char> gltf_scene_bytes(const std::string& path) {
+  std::vector<unsigned char> bytes;
+  const auto is_binary = [&bytes] { return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0; };
+  const auto refuse = [&path] { throw BadInput(text_name(path) + ": is not a glTF file"); };
+  append_blocks(path, &bytes, [&](std::string_view block) {
+    if (bytes.size() >= 4 && !is_binary() && block.find('\0') != block.npos) refuse();
+  });
+  if (bytes.size() < 4) refuse();
+  return bytes;
 }
 
 }  // namespace strad

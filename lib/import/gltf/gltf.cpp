@@ -383,7 +383,7 @@ Scene GltfBuilder::build() {
 Scene import_gltf(const std::string& path, const ImportOptions& options, const GltfOptions& gltf,
                   ImportReport* report) {
   const GltfModel model = read_gltf(path, options, report);
-  return finish_import(GltfBuilder(model, options, gltf, report).build(), options, model.file);
+  return finish_import(GltfBuilder(model, options, gltf, report).build(), options, model.file, report);
 }
 
 }  // namespace strad

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "import/gltf/components.h"
 #include "import/gltf/files.h"
@@ -24,7 +25,7 @@ struct Folder {
   std::string outside;  // a file that was asked for elsewhere
 };
 
-bool file_exists(const std::string& name, void*) { return is_plain_file(name); }
+bool is_file(const std::string& name, void*) { return is_plain_file(name); }
 
 bool read_whole(std::vector<unsigned char>* out, std::string* fault, const std::string& name, void* user) {
   auto* folder = static_cast<Folder*>(user);
@@ -33,7 +34,13 @@ bool read_whole(std::vector<unsigned char>* out, std::string* fault, const std::
     *fault += name + " is outside the file's folder";
     return false;
   }
-  return read_file_bytes(name, out);
+  try {
+    append_file(name, out);
+  } catch (const std::runtime_error& error) {
+    *fault += error.what();
+    return false;
+  }
+  return true;
 }
 
 // Keeps pictures as they are stored. Those in buffers are looked at later, when their bounds are known.
@@ -98,17 +105,13 @@ std::string GltfReader::name_of(const std::string& given, const std::string& kin
 }
 
 void GltfReader::load() {
-  std::error_code ignored;
-  if (fs::is_directory(path_, ignored)) fail("is a directory, expected a glTF file");
-  std::vector<unsigned char> bytes;
-  if (!read_file_bytes(path_, &bytes)) throw IoError(made_.file + ": cannot be read");
+  std::vector<unsigned char> bytes = gltf_scene_bytes(path_);
   const size_t size = bytes.size();
-  if (size < 4 || size > 0x7fffffff) fail("is not a glTF file");
   bytes.resize(size + 16);  // tinygltf takes the head of the second chunk for a part of its contents
   Folder folder{fs::path(path_).parent_path(), {}};
   if (folder.path.empty()) folder.path = ".";
   tinygltf::TinyGLTF loader;
-  tinygltf::FsCallbacks files{file_exists, tinygltf::ExpandFilePath, read_whole, nullptr, &folder};
+  tinygltf::FsCallbacks files{is_file, tinygltf::ExpandFilePath, read_whole, nullptr, &folder};
   loader.SetFsCallbacks(files);
   loader.SetImageLoader(keep_picture, nullptr);
   std::string fault, warning;

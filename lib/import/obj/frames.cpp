@@ -145,7 +145,7 @@ Scene import_obj_frames(const ObjFrames& frames, const ImportOptions& options, I
   name_bodies(&scene);
   scene.rate = frames.rate;
   scene.end = static_cast<double>(times.size()) / frames.rate;
-  return finish_import(std::move(scene), options, name);
+  return finish_import(std::move(scene), options, name, report);
 }
 
 }  // namespace strad

@@ -2,10 +2,10 @@
 #include "import/obj/materials.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "import/load_texture.h"
 #include "import/obj/mtl.h"
@@ -44,17 +44,16 @@ class MaterialLoader {
 // Files written under Windows separate folders by backslashes.
 std::string found_path(const std::string& file, const std::string& reference) {
   std::string path = path_beside(file, reference);
-  if (std::filesystem::exists(path)) return path;
+  if (file_exists(path)) return path;
   std::string slashed = reference;
   std::replace(slashed.begin(), slashed.end(), '\\', '/');
   slashed = path_beside(file, slashed);
-  return std::filesystem::exists(slashed) ? slashed : path;
+  return file_exists(slashed) ? slashed : path;
 }
 
 // The rest of a mtllib line is one name with blanks if there is such a file, else several names.
 void MaterialLoader::read_library(const ObjScan::Named& library) {
-  if (std::filesystem::exists(found_path(path_, library.name)))
-    return read_mtl_file(library.name, library.line);
+  if (file_exists(found_path(path_, library.name))) return read_mtl_file(library.name, library.line);
   std::string_view rest = library.name;
   for (std::string_view word = next_word(&rest); !word.empty(); word = next_word(&rest))
     read_mtl_file(std::string(word), library.line);
@@ -64,7 +63,7 @@ void MaterialLoader::read_mtl_file(const std::string& reference, uint32_t line) 
   const std::string path = found_path(path_, reference);
   if (std::find(read_.begin(), read_.end(), path) != read_.end()) return;
   read_.push_back(path);
-  if (!std::filesystem::exists(path))
+  if (!file_exists(path))
     return missing("material file " + in_quotes(path, path.size()) + " is missing", name_, line);
   for (const MtlMaterial& material : read_mtl(path)) add(material);
 }
@@ -79,7 +78,7 @@ void MaterialLoader::add(const MtlMaterial& material) {
 uint32_t MaterialLoader::texture_of(const MtlMaterial& material) {
   const std::string path = found_path(material.file, material.texture);
   if (const auto known = texture_at_.find(path); known != texture_at_.end()) return known->second;
-  if (!std::filesystem::exists(path)) {
+  if (!file_exists(path)) {
     missing("texture " + in_quotes(path, path.size()) + " is missing", material.file, material.texture_line);
     return texture_at_[path] = kNone;
   }

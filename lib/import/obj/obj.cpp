@@ -113,7 +113,7 @@ Scene scene_of(ObjFile file, const std::vector<uint32_t>& bodies, std::vector<Bo
 Scene import_obj(const std::string& path, const ImportOptions& options, ImportReport* report) {
   ObjFile file = read_obj(path, options, report);
   const std::string name = file.name;
-  return finish_import(scene_of(std::move(file), {}, {}, options, report), options, name);
+  return finish_import(scene_of(std::move(file), {}, {}, options, report), options, name, report);
 }
 
 }  // namespace strad

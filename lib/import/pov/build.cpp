@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "import/load_texture.h"
 #include "import/polygonize.h"
@@ -31,7 +31,7 @@ uint32_t PovBuilder::uv(Vec2 p) {
 
 uint32_t PovBuilder::texture_of(const PovImage& image, const PovPlace& place) {
   if (const auto known = textures_.find(image.path); known != textures_.end()) return known->second;
-  if (!std::filesystem::exists(image.path)) {
+  if (!file_exists(image.path)) {
     const std::string what = "image " + in_quotes(image.path, image.path.size()) + " is missing";
     if (!options_.skip_missing) fail_at(image.place.file, image.place.line, what);
     report_->add(what + ": left out", place.file, place.line);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <string_view>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 
 namespace strad {
@@ -208,7 +208,7 @@ void IniReader::setting(std::string_view name, std::string_view value) {
     // Beside the .ini file, else in the working directory, where POV-Ray looks.
     const std::string scene(without_quotes(value));
     ini_.scene = path_beside(path_, scene);
-    if (!std::filesystem::exists(ini_.scene) && std::filesystem::exists(scene)) ini_.scene = scene;
+    if (!file_exists(ini_.scene) && file_exists(scene)) ini_.scene = scene;
   } else if (key == "initial_frame") {
     a.initial_frame = whole(name, value, 0, kMostFrames);
   } else if (key == "final_frame") {

@@ -1,4 +1,7 @@
 // Reads POV-Ray's triangles, polygons and meshes.
+#include <algorithm>
+#include <cmath>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "import/pov/scene_reader.h"
@@ -116,8 +119,14 @@ PovMeshLists PovSceneReader::mesh2_lists(PovObject* made) {
 }
 
 std::array<int, 3> PovSceneReader::index_triple() {
-  const Vec3 indices = in_.vector();
-  return {static_cast<int>(indices.x), static_cast<int>(indices.y), static_cast<int>(indices.z)};
+  const PovPlace at = in_.place();
+  const Vec3 found = in_.vector();
+  std::array<int, 3> indices{};
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::abs(found[i]) < 1e9)) fail_at(at.file, at.line, "an index is too large");
+    indices[static_cast<size_t>(i)] = static_cast<int>(found[i]);
+  }
+  return indices;
 }
 
 // <a, b, c>, then nothing, the index of a texture, or three: one per corner.

@@ -23,6 +23,16 @@ bool is_unknown_object(std::string_view word) {
              "sor",           "sphere_sweep",  "superellipsoid", "text",       "torus"});
 }
 
+size_t bytes_of(const PovObject& object) {
+  size_t bytes = sizeof object + object.points.size() * sizeof(Vec3) + object.uvs.size() * sizeof(Vec2) +
+                 object.lights.size() * sizeof(PovLight) + object.shapes.size() * sizeof(uint32_t) +
+                 (object.problems.size() + object.notes.size()) * sizeof(PovProblem);
+  for (const std::string& part : object.parts) bytes += sizeof part + part.size();
+  for (const PovFacet& facet : object.facets)
+    bytes += sizeof facet + (facet.corners.size() + facet.uvs.size()) * sizeof(uint32_t);
+  return bytes;
+}
+
 // Adds `child` to a compound object. `name`: that of its declaration, or empty.
 void add_child(PovObject* object, UniqueNames* names, const PovObject& child, const std::string& name) {
   const auto first_point = static_cast<uint32_t>(object->points.size());
@@ -142,6 +152,7 @@ PovObject PovSceneReader::object(std::string* name) {
     modifiers(&made);
     if (name) *name = declared.empty() ? kind : declared;
   }
+  in_.charge(bytes_of(made));
   return made;
 }
 

@@ -73,7 +73,7 @@ Scene import_pov(const std::string& path, const ImportOptions& options, ImportRe
     scene.rate = animation.rate;
     scene.end = static_cast<double>(times.size()) / animation.rate;
   }
-  return finish_import(std::move(scene), options, text_name(path));
+  return finish_import(std::move(scene), options, text_name(path), report);
 }
 
 }  // namespace strad

@@ -68,6 +68,9 @@ TEST(Text, QuotesHideControlCharactersAndCutLongText) {
   EXPECT_EQ(in_quotes("a\tb\x1b"), "\"a?b?\"");
   EXPECT_EQ(in_quotes("abcdef", 6), "\"abcdef\"");
   EXPECT_EQ(in_quotes("abcdefg", 6), "\"abcdef...\"");
+  EXPECT_EQ(in_quotes("gr\xfcn"), "\"gr?n\"");
+  EXPECT_EQ(in_quotes("gr\xc3\xbcn", 3), "\"gr...\"");  // no half characters
+  EXPECT_EQ(in_quotes("gr\xc3\xbcn", 4), "\"gr\xc3\xbc...\"");
 }
 
 TEST(Text, NumbersAreDecimalAndWhole) {

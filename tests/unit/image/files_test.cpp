@@ -115,10 +115,13 @@ TEST_F(Files, WhatIsNoPictureIsRefusedByName) {
 }
 
 TEST_F(Files, TruncatedPicturesAreRefused) {
-  for (const char* name : {"a.png", "a.exr"}) {
+  for (const char* name : {"a.png", "a.exr", "a.jpg", "a.tif", "a.hdr"}) {
     save_image(path(name), ramp());
-    fs::resize_file(path(name), fs::file_size(path(name)) / 2);
+    EXPECT_EQ(refusal(name), "") << name;
+    fs::resize_file(path(name), fs::file_size(path(name)) * 9 / 10);
+    testing::internal::CaptureStderr();
     EXPECT_NE(refusal(name), "") << name;
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << name;  // no words of a library's own
   }
 }
 
@@ -128,6 +131,14 @@ TEST_F(Files, NothingIsLeftBehindWhenAFileCannotBeWritten) {
   fs::create_directory(path("taken.png"));
   EXPECT_THROW(save_image(path("taken.png"), ramp()), IoError);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(Files, WhatIsNotFiniteIsRefused) {
+  Image image = ramp();
+  image.at(7, 1).g = std::nanf("");
+  save_image(path("a.exr"), image);
+  EXPECT_EQ(refusal("a.exr"), path("a.exr") + ": pixel 7,1 is not finite");
+  EXPECT_THROW(load_srgb_image(path("a.exr")), BadInput);
 }
 
 TEST_F(Files, UnknownFormatsAreRefusedBeforeAnyWork) {

@@ -53,8 +53,17 @@ TEST(Pfm, HasTheseBytes) {
 TEST(Pfm, RowsComeBackInOrderWithAllTheirBits) {
   Image image(3, 2);
   for (uint32_t i = 0; i < 6; ++i) image.pixels[i] = {0.1f * static_cast<float>(i), 1e30f, -1e-30f};
-  image.at(1, 1).g = std::numeric_limits<float>::infinity();
+  image.at(1, 1).g = std::numeric_limits<float>::denorm_min();
   EXPECT_EQ(decode_pnm(encode_pfm(image), "test"), image);
+}
+
+TEST(Pfm, WhatIsNotFiniteIsRefused) {
+  for (const float value :
+       {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    Image image(3, 2);
+    image.at(1, 0).b = value;
+    EXPECT_THROW(decode_pnm(encode_pfm(image), "test"), BadInput);
+  }
 }
 
 TEST(Pfm, BigEndianAndGreyAreRead) {

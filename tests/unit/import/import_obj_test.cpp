@@ -248,6 +248,47 @@ TEST_F(ImportObj, lights_materials_by_pattern) {
   EXPECT_EQ(refusal(text), "room.obj: no material in use matches the light \"lump*\"");
 }
 
+TEST_F(ImportObj, refuses_scales_that_no_stream_can_hold) {
+  for (const double scale : {1e300, 1e16, 1e-10, 1e-300}) {
+    options_.scale = scale;
+    const std::string said = refusal(kSquare + "f 1 2 3 4\n");
+    EXPECT_TRUE(said.starts_with("room.obj: ")) << scale << ": " << said;
+  }
+  for (const double scale : {1e14, 1e-8}) {
+    options_.scale = scale;
+    EXPECT_EQ(refusal(kSquare + "f 1 2 3 4\n"), "");
+  }
+}
+
+TEST_F(ImportObj, takes_names_that_are_not_utf8_as_latin1) {
+  write("m.mtl", "newmtl gr\xfcn\nnewmtl \xc3\xa9t\xc3\xa9\n");
+  const Scene scene = import("mtllib m.mtl\n" + kSquare +
+                             "o T\xfcr\nusemtl gr\xfcn\nf 1 2 3\nusemtl \xc3\xa9t\xc3\xa9\nf 1 3 4\n");
+  EXPECT_EQ(scene.objects[0].name, "T\xc3\xbcr");
+  EXPECT_EQ(scene.materials[0].name, "gr\xc3\xbcn");
+  EXPECT_EQ(scene.materials[1].name, "\xc3\xa9t\xc3\xa9");
+  EXPECT_EQ(note(0), "room.obj: 2 names that are not UTF-8 are taken as Latin-1, such as \"gr\xc3\xbcn\"");
+}
+
+// Floats at 1e6 are 1/16 apart, so rounding changes a coordinate by up to 1/32; at 1e3 by less than 1e-4.
+TEST_F(ImportObj, tells_when_floats_cannot_hold_the_vertices) {
+  import("v 1000000 0 0\nv 1000001 0 0\nv 1000001 1 0\nf 1 2 3\n");
+  EXPECT_EQ(note(1), "room.obj: so far from the origin, vertices are stored with errors of up to 0.03 m");
+  import("v 1000 0 0\nv 1001 0 0\nv 1001 1 0\nf 1 2 3\n");
+  EXPECT_EQ(note(1), "");
+}
+
+TEST_F(ImportObj, tells_of_lamps_that_lie_on_one_another) {
+  write("m.mtl", "newmtl lamp\nKd 0 0 0\nKe 1 1 1\nnewmtl grey\nKd 0.5 0.5 0.5\n");
+  const std::string lamp = "mtllib m.mtl\n" + kSquare + "usemtl lamp\no a\nf 1 2 3 4\n";
+  import(lamp + "o b\nf 2 3 4 1\nv 0 0 0\no c\nf 5 2 3 4\n");  // from another corner, and by another vertex
+  EXPECT_EQ(note(0),
+            "room.obj: 2 emitting polygons lie exactly on others, such as one of \"b\": their light adds up");
+  import(lamp +
+         "o b\nf 4 3 2 1\nusemtl grey\nf 1 2 3 4\nusemtl lamp\nf 1 2 3\n");  // back to back, dark, smaller
+  EXPECT_EQ(note(0), "");
+}
+
 TEST_F(ImportObj, scales_and_turns) {
   options_.scale = 0.01;
   options_.up = 'z';

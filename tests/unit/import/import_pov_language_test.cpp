@@ -18,7 +18,11 @@ struct Coin {
 // A language of coins: `coin { VALUE }`.
 class Coins : public PovStatements {
  public:
-  explicit Coins(const std::string& path) : in(options, run, &files, &report, this) { in.open(path); }
+  explicit Coins(const std::string& path) : in(options, run, &files, &report, this) {
+    run.most_steps = 200'000;  // for speed
+    run.most_words = 2'000'000;
+    in.open(path);
+  }
 
   std::any describe(std::string_view word) override {
     if (word != "coin") return {};
@@ -99,6 +103,52 @@ TEST_F(ImportPovLanguage, AnArrayOfManyKindsIsReadAsWhatItsFirstElementIs) {
   } catch (const BadInput& error) {
     EXPECT_NE(std::string(error.what()).find("expected an element of the array Purse"), std::string::npos)
         << error.what();
+  }
+}
+
+// POV-Ray 3.7 prints 3, 10, 2 and 2 for the same.
+TEST_F(ImportPovLanguage, DeclareChangesTheNameThatIsInScope) {
+  const auto coins = opened(R"(
+    #declare I = 10;
+    #macro Count(N) #local I = 0; #while (I < N) #declare I = I + 1; #end I #end
+    Count(3) I
+    #macro Inner() #declare Q = 2; #end
+    #macro Outer() #local Q = 1; Inner() Q #end
+    Outer()
+    #local A = 1; #declare A = 2; A
+    #ifdef (Q) 99 #end)");
+  EXPECT_EQ(coins->in.number(), 3);
+  EXPECT_EQ(coins->in.number(), 10);
+  EXPECT_EQ(coins->in.number(), 2);
+  EXPECT_EQ(coins->in.number(), 2);
+  EXPECT_EQ(coins->in.peek().kind, PovKind::kEnd);
+}
+
+// Each is a few lines that would fill any memory, or go on for hours.
+TEST_F(ImportPovLanguage, WhatGrowsWithoutEndIsRefused) {
+  const struct {
+    std::string text, says;
+  } cases[] = {
+      {"#declare S = \"xx\"; #for (I, 1, 60) #declare S = concat(S, S); #end", "more than 65536 characters"},
+      {"#macro A(S, N) #if (N > 0) A(concat(S, S), N - 1) #end #end A(\"xx\", 60)",
+       "more than 65536 characters"},
+      {"#macro A() A() A() #end A()", "nested too deep"},
+      {"#declare S = \"x\"; #for (I, 1, 16) #declare S = concat(S, S); #end #declare P = array[1000][100];"
+       "#for (I, 0, 999) #for (J, 0, 99) #declare P[I][J] = S; #end #end",
+       "more than 2 GB"},
+      {"#for (I, 1, 1e6) #local P = array[1e8]; #end", "more than 2 GB"},
+      {"#while (1) #end", "turns of loops"},
+      {"#macro W() #if (0) " + std::string(200, '+') + " #end #end #for (I, 1, 1e5) W() #end", "words"},
+      {"#declare R = seed(1e30);", "too large"},
+      {"#declare R = seed(1); #declare X = rand(1e30);", "too large"}};
+  for (const auto& one : cases) {
+    try {
+      opened(one.text)->in.peek();
+      FAIL() << "accepted: " << one.text;
+    } catch (const BadInput& error) {
+      EXPECT_NE(std::string(error.what()).find(one.says), std::string::npos)
+          << one.text << ": " << error.what();
+    }
   }
 }
 

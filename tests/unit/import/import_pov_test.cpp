@@ -151,6 +151,9 @@ TEST_F(ImportPov, includes_files_and_the_standard_colours_where_they_are) {
   EXPECT_EQ(refusal("#include \"part.inc\"\nbox { 0, Hidden }"),
             "room.pov:2: found \"Hidden\", expected a number");
   EXPECT_EQ(refusal("\n#include \"none.inc\""), "room.pov:2: included file \"none.inc\" is missing");
+  const std::string corners = "mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, ";
+  EXPECT_EQ(refusal(corners + "<0, 1, 1e18> } }"), "room.pov:1: an index is too large");
+  EXPECT_EQ(refusal(corners + "<0, 1, 3> } }"), "room.pov:1: face uses vertex 3 of 3");
 }
 
 TEST_F(ImportPov, makes_closed_bodies_with_their_fronts_outside) {

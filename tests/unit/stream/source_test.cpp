@@ -1,4 +1,4 @@
-// Files and pipes give the same bytes; output files are complete or absent.
+// Files and pipes give the same bytes.
 #include "stream/source.h"
 
 #include <fcntl.h>
@@ -6,42 +6,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
-#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <thread>
 
 #include "base/error.h"
-#include "stream/output_file.h"
+#include "test_folder.h"
 
 namespace strad {
 namespace {
 
-namespace fs = std::filesystem;
+using SourceTest = TestFolder;
 
-class Folder : public testing::Test {
- protected:
-  void SetUp() override {
-    char name[] = "/tmp/strad-test-XXXXXX";
-    folder_ = mkdtemp(name);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  size_t entries() const { return static_cast<size_t>(std::distance(fs::directory_iterator(folder_), {})); }
-  static std::string content(const std::string& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
-  fs::path folder_;
-};
-
-using SourceTest = Folder;
-using OutputTest = Folder;
-
-TEST_F(SourceTest, AFileIsMapped) {
+TEST_F(SourceTest, AFileIsReadWhereItIsAskedFor) {
   std::ofstream(path("a")) << "hello";
   Source source(path("a"));
   EXPECT_TRUE(source.seekable());
@@ -69,64 +45,26 @@ TEST_F(SourceTest, APipeIsReadAsFarAsNeeded) {
   feeder.join();
 }
 
+TEST_F(SourceTest, AFileThatIsCutMeanwhileIsRefused) {
+  std::ofstream(path("a")) << std::string(3 << 20, 'x');
+  Source source(path("a"));
+  EXPECT_EQ(source.at(0, 3 << 20).size(), size_t{3 << 20});
+  std::filesystem::resize_file(path("a"), 2 << 20);
+  EXPECT_EQ(source.at(0, 2 << 20).size(), size_t{2 << 20});  // what is left
+  try {
+    source.at(0, 3 << 20);
+    ADD_FAILURE() << "not refused";
+  } catch (const BadInput& error) {
+    EXPECT_EQ(std::string(error.what()),
+              path("a") + ": byte 2097152: the stream ends, expected 1048576 bytes more");
+  }
+  std::filesystem::resize_file(path("a"), 0);
+  EXPECT_THROW(source.at(0, 1), BadInput);
+}
+
 TEST_F(SourceTest, WhatCannotBeReadIsTold) {
   EXPECT_THROW(Source(path("absent")), IoError);
   EXPECT_THROW(Source(folder_.string()), BadInput);
-}
-
-TEST_F(OutputTest, AFileAppearsWhole) {
-  Output output(path("a"));
-  output.write("hello");
-  EXPECT_FALSE(fs::exists(path("a")));
-  output.commit();
-  EXPECT_EQ(content(path("a")), "hello");
-  EXPECT_EQ(entries(), 1u);
-}
-
-TEST_F(OutputTest, AFailureLeavesWhatWasThere) {
-  std::ofstream(path("a")) << "old";
-  {
-    Output output(path("a"));
-    output.write("new");
-  }
-  EXPECT_EQ(content(path("a")), "old");
-  EXPECT_EQ(entries(), 1u);
-}
-
-TEST_F(OutputTest, TheTemporaryNameKeepsFolderAndExtension) {
-  WholeFile file(path("room.0001.exr"));
-  EXPECT_EQ(fs::path(file.temporary()).extension(), ".exr");
-  EXPECT_EQ(fs::path(file.temporary()).parent_path(), fs::path(folder_));
-}
-
-TEST_F(OutputTest, ALinkStaysALink) {
-  std::ofstream(path("target")) << "old";
-  fs::create_symlink(path("target"), path("link"));
-  Output output(path("link"));
-  output.write("new");
-  output.commit();
-  EXPECT_TRUE(fs::is_symlink(path("link")));
-  EXPECT_EQ(content(path("target")), "new");
-}
-
-TEST_F(OutputTest, WhatIsNoPlainFileIsWrittenInPlace) {
-  Output output("/dev/null");
-  output.write("gone");
-  output.commit();
-  EXPECT_TRUE(fs::is_character_file("/dev/null"));
-}
-
-TEST_F(OutputTest, AnAbsentFolderIsTold) { EXPECT_THROW(Output(path("absent/a")), IoError); }
-
-TEST_F(OutputTest, ASignalRemovesTheTemporaryFile) {
-  EXPECT_EXIT(
-      {
-        Output output(path("a"));
-        output.write("half");
-        std::raise(SIGTERM);
-      },
-      testing::KilledBySignal(SIGTERM), "");
-  EXPECT_EQ(entries(), 0u);
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ PovValue PovInterpreter::take_named() {
     if (!array->items[index]) fail("an element of the array " + name + " is used before it is declared");
     found = *array->items[index];
   }
+  if (const auto* text = std::get_if<std::string>(&found)) charge(text->size());
   return found;
 }
 
@@ -63,6 +64,7 @@ PovValue PovInterpreter::array_value() {
     size_t next = 0;
     fill_array(array.get(), 0, &next);
   }
+  charge(static_cast<size_t>(count) * sizeof(array->items[0]));
   array->items.resize(static_cast<size_t>(count));
   return array;
 }

@@ -9,9 +9,6 @@
 namespace strad {
 namespace {
 
-// Turns of loops and calls of macros. A file that takes more is refused as endless.
-constexpr size_t kMaxSteps = 5'000'000;
-
 bool opens_block(std::string_view directive) {
   return is_one_of(directive, {"if", "ifdef", "ifndef", "while", "for", "switch", "macro"});
 }
@@ -43,6 +40,7 @@ void PovInterpreter::push(Block::Kind kind, size_t start) {
 std::string PovInterpreter::skip_branch() {
   for (int depth = 0;; ++here().next) {
     const PovToken& token = raw();
+    count_token();
     if (token.kind == PovKind::kEnd) fail("found the end of the file, expected #end");
     if (token.kind != PovKind::kDirective) continue;
     const bool branch =
@@ -85,8 +83,14 @@ void PovInterpreter::obey_ifdef(bool wanted) {
   }
 }
 
+void PovInterpreter::count_token() {
+  if (++tokens_ > run_.most_words)
+    fail("the file takes more than " + std::to_string(run_.most_words) + " words");
+}
+
 void PovInterpreter::count_step() {
-  if (++steps_ > kMaxSteps) fail("the file takes more than " + std::to_string(kMaxSteps) + " turns of loops");
+  if (++steps_ > run_.most_steps)
+    fail("the file takes more than " + std::to_string(run_.most_steps) + " turns of loops");
 }
 
 void PovInterpreter::obey_while() {

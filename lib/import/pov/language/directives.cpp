@@ -1,8 +1,8 @@
 // POV-Ray's directives: what is declared, included, called.
 #include <algorithm>
-#include <filesystem>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "import/pov/language/interpreter.h"
 
@@ -73,7 +73,7 @@ std::string PovInterpreter::found_include(const std::string& name) const {
   for (const char* folder : {"/usr/share/povray-3.7/include/", "/usr/local/share/povray-3.7/include/"})
     candidates.push_back(folder + name);
   for (const std::string& path : candidates)
-    if (std::filesystem::is_regular_file(path)) return path;
+    if (is_plain_file(path)) return path;
   return "";
 }
 

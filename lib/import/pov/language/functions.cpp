@@ -11,6 +11,8 @@
 namespace strad {
 namespace {
 
+constexpr size_t kLongestString = 1 << 16;
+
 struct NumberFunction {
   std::string_view name;
   size_t least, most;  // arguments
@@ -162,6 +164,7 @@ PovNumbers PovInterpreter::function_of_other_things(const std::string& name) {
   if (name == "vrotate") return numbers_of(turned(v, vector_of(a[1])));
   if (name == "vaxis_rotate")
     return numbers_of(rotate(rotation_about(normalized(vector_of(a[1])), a[2][0] * kDegree), v));
+  if (!(std::abs(a[0][0]) < 1e18)) fail(name + " of a number that is too large");
   if (name == "rand") return number_of(random(static_cast<size_t>(std::max(0.0, a[0][0]))));
   random_states_.push_back(static_cast<uint32_t>(static_cast<int64_t>(a[0][0])));  // seed
   return number_of(static_cast<double>(random_states_.size() - 1));
@@ -192,7 +195,11 @@ std::string PovInterpreter::string_function(const std::string& name) {
     result = static_cast<char>(integer());
   } else {
     result = string();
-    while (name == "concat" && take_if(",")) result += string();
+    while (name == "concat" && take_if(",")) {
+      result += string();
+      if (result.size() > kLongestString)
+        fail("a string has more than " + std::to_string(kLongestString) + " characters");
+    }
     if (name == "substr") {
       expect(",");
       const int first = integer();
@@ -206,6 +213,7 @@ std::string PovInterpreter::string_function(const std::string& name) {
     if (name == "strlwr") std::transform(result.begin(), result.end(), result.begin(), ::tolower);
   }
   expect(")");
+  charge(result.size());
   return result;
 }
 

@@ -1,6 +1,8 @@
 // The sequence of tokens, across includes and macros, and the names that are declared.
 #include "import/pov/language/interpreter.h"
 
+#include <algorithm>
+
 #include "base/text.h"
 
 namespace strad {
@@ -73,6 +75,7 @@ const PovToken& PovInterpreter::peek() {
 
 PovToken PovInterpreter::take() {
   const PovToken token = peek();
+  count_token();
   if (token.kind != PovKind::kEnd) ++here().next;
   return token;
 }
@@ -141,8 +144,22 @@ const PovValue* PovInterpreter::find(std::string_view name) const {
   return found == globals_.end() ? nullptr : &found->second;
 }
 
+// #declare gives a new value to the name that is in scope, be it local, as POV-Ray's Parse_Declare does; a
+// name that is not in scope becomes global.
 void PovInterpreter::declare(const std::string& name, PovValue value, bool local) {
-  (local ? here().locals : globals_).insert_or_assign(name, std::move(value));
+  auto* names = local ? &here().locals : &globals_;
+  for (auto cursor = cursors_.rbegin(); !local && cursor != cursors_.rend(); ++cursor) {
+    if (!cursor->locals.contains(name)) continue;
+    names = &cursor->locals;
+    break;
+  }
+  names->insert_or_assign(name, std::move(value));
+}
+
+void PovInterpreter::charge(size_t bytes) {
+  constexpr size_t kMost = 2'000'000'000;
+  made_ += std::min(bytes, kMost);
+  if (made_ > kMost) fail("the file makes more than 2 GB of strings, arrays and objects");
 }
 
 }  // namespace strad

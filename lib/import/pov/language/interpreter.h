@@ -38,6 +38,9 @@ class PovInterpreter {
   PovPlace place();                                 // of the token that is next
   [[noreturn]] void fail(const std::string& what);  // at the token that is next
   [[noreturn]] void fail_expected(const std::string& expected);
+  // Adds to what the file has made so far, and refuses what would fill the memory: strings and objects
+  // double.
+  void charge(size_t bytes);
 
   // Expressions.
   bool expression_is_next();
@@ -119,6 +122,7 @@ class PovInterpreter {
   void push(Block::Kind kind, size_t start = 0);
   void call(PovMacro macro);
   void count_step();
+  void count_token();
   void declare_element(const std::string& name);
   std::string found_include(const std::string& name) const;
 
@@ -162,7 +166,9 @@ class PovInterpreter {
   std::vector<Cursor> cursors_;
   std::map<std::string, PovValue, std::less<>> globals_;
   std::vector<uint32_t> random_states_;
-  size_t steps_ = 0;  // turns of loops and calls of macros
+  size_t steps_ = 0;   // turns of loops and calls of macros
+  size_t tokens_ = 0;  // taken or skipped
+  size_t made_ = 0;    // bytes
   int depth_ = 0;
 };
 
