@@ -86,4 +86,22 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
   return image;
 }
 
+std::vector<Rgb> Raster::reflected_light(const Slab& slab, const Camera& camera, double time, uint32_t width,
+                                         uint32_t height) {
+  const FrameLight light(slab, reconstruction_for(slab), time, time, {true, false});
+  const CameraRays rays(camera_at(camera, time), width, height);
+  const Instant instant = instant_at(scene_, time);
+  std::vector<Rgb> seen;
+  for (uint32_t y = 0; y < height; ++y) {
+    for (uint32_t x = 0; x < width; ++x) {
+      const Sight sight = surfaces_.look(instant, rays.from(), rays.direction(x + 0.5, y + 0.5));
+      if (sight.point.polygon == kNone || !is_black(sight.emission)) continue;
+      uint32_t leaf = kNone;
+      const Rgb irradiance = light.irradiance(sight.point.polygon, sight.front, sight.at, &leaf);
+      seen.push_back(static_cast<float>(1 / kPi) * sight.reflectance * irradiance);
+    }
+  }
+  return seen;
+}
+
 }  // namespace strad

@@ -43,6 +43,11 @@ class Raster {
   // before.
   Image render(const Slab& slab, const Camera& camera, double time, const RasterOptions& options);
 
+  // Radiance that surfaces reflect in the middles of the pixels, from the solution alone, of those pixels
+  // that show a surface which does not emit. REQUIRES: `slab` holds `time`, with all pieces.
+  std::vector<Rgb> reflected_light(const Slab& slab, const Camera& camera, double time, uint32_t width,
+                                   uint32_t height);
+
  private:
   const Reconstruction& reconstruction_for(const Slab& slab);
 

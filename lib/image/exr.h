@@ -3,11 +3,16 @@
 
 #include <string>
 
-#include "image/image.h"
+#include "image/encoding.h"
+#include "image/layers.h"
+#include "image/picture_facts.h"
 
 namespace strad {
 
-// Half floats, ZIP compression. Returns an error message, empty for success.
-std::string write_exr(const std::string& path, const Image& image);
+// One part with the channels of all layers, ZIP compression. Half floats are those nearest to the samples,
+// at most the largest half. Attributes tell the facts, under the names that OpenEXR has for them. Returns an
+// error message, empty for success. REQUIRES: a depth that EXR has.
+std::string write_exr(const std::string& path, const LayeredImage& image, Depth depth,
+                      const PictureFacts& facts);
 
 }  // namespace strad

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <mutex>
@@ -40,15 +41,6 @@ const ImageModule* open_module() {
 const ImageModule& module() {
   static const ImageModule* const loaded = open_module();
   return *loaded;
-}
-
-// "exr" of "a/b.EXR"; empty if there is none.
-std::string format_of(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  if (!extension.empty()) extension.erase(0, 1);
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
 }
 
 bool is_pnm_format(const std::string& format) { return format == "ppm" || format == "pfm"; }
@@ -85,17 +77,46 @@ void write_file(const std::string& path, const std::string& bytes) {
   if (!file) throw IoError(std::strerror(errno));
 }
 
-// Throws IoError without the file's name.
-void write_format(const std::string& path, const std::string& format, const Image& image) {
-  if (format == "ppm") return write_file(path, encode_ppm(image));
-  if (format == "pfm") return write_file(path, encode_pfm(image));
-  const std::string fault = format == "exr"   ? write_exr(path, image)
-                            : format == "png" ? write_png(path, image)
-                                              : module().write(path, format, image);
-  if (!fault.empty()) throw IoError(fault);
+// Returns an error message without the file's name, empty for success.
+using WriteTo = std::function<std::string(const std::string& path)>;
+
+void write_whole(const std::string& path, const WriteTo& write) {
+  static std::mutex names;  // frames may be saved by several threads
+  std::unique_lock lock(names);
+  WholeFile file(path);
+  lock.unlock();
+  try {
+    const std::string fault = write(file.temporary());
+    if (!fault.empty()) throw IoError(fault);
+  } catch (const IoError& error) {
+    throw IoError(path + ": " + error.what());
+  }
+  lock.lock();
+  file.commit();
+}
+
+// The module puts light on the sRGB curve; numbers that are to be in proportion to light pass it unchanged.
+std::string write_by_module(const std::string& path, const std::string& format, const Image& image,
+                            const Encoding& encoding) {
+  const bool eight = encoding.depth == Depth::kByte;
+  if (is_float(encoding.depth)) return module().write(path, format, eight, image);
+  Image shown = shown_light(image, encoding);
+  if (encoding.tone == ToneCurve::kLinear) {
+    for (Rgb& pixel : shown.pixels)
+      for (int c = 0; c < 3; ++c) pixel[c] = linear_from_srgb(pixel[c]);
+  }
+  return module().write(path, format, eight, shown);
 }
 
 }  // namespace
+
+std::string format_of(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
 
 Image load_image(const std::string& path) {
   if (path == "-") return decode_pnm(read_file(path), "standard input");
@@ -130,19 +151,26 @@ void require_image_format(const std::string& path) {
                  "', expected one of a picture format, such as exr, png, ppm, pfm");
 }
 
-void save_image(const std::string& path, const Image& image) {
-  static std::mutex names;  // frames may be saved by several threads
+void save_layers(const std::string& path, const LayeredImage& image, Depth depth, const PictureFacts& facts) {
+  write_whole(path, [&](const std::string& at) { return write_exr(at, image, depth, facts); });
+}
+
+void save_image(const std::string& path, const Image& image, const Encoding& encoding,
+                const PictureFacts& facts) {
   require_image_format(path);
-  std::unique_lock lock(names);
-  WholeFile file(path);
-  lock.unlock();
-  try {
-    write_format(file.temporary(), format_of(path), image);
-  } catch (const IoError& error) {
-    throw IoError(path + ": " + error.what());
+  const std::string format = format_of(path);
+  Encoding known = encoding;
+  if (known.depth == Depth::kUsual) known.depth = depths_of(format).front();
+  if (format == "exr") {
+    LayeredImage layered{image.width, image.height, {layer_of(image, "")}, {}};
+    return save_layers(path, layered, known.depth, facts);
   }
-  lock.lock();
-  file.commit();
+  write_whole(path, [&](const std::string& at) {
+    if (format == "png") return write_png(at, image, known, facts);
+    if (!is_pnm_format(format)) return write_by_module(at, format, image, known);
+    write_file(at, format == "ppm" ? encode_ppm(image, known) : encode_pfm(image));
+    return std::string();
+  });
 }
 
 }  // namespace strad

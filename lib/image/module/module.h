@@ -12,7 +12,9 @@ struct ImageModule {
   std::string (*read)(const std::string& path, Image* image);
   std::string (*read_srgb)(const std::string& path, SrgbImage* image);
   bool (*knows)(const std::string& format);  // an extension without its dot
-  std::string (*write)(const std::string& path, const std::string& format, const Image& image);
+  // On the sRGB curve. `eight_bits`: where the format also has more.
+  std::string (*write)(const std::string& path, const std::string& format, bool eight_bits,
+                       const Image& image);
 };
 
 // The one symbol that is looked up in the module; `ImageModuleEntry` is its type.

@@ -47,7 +47,8 @@ std::string read(const std::string& path, Image* image) {
   std::vector<float> samples;
   if (const std::string fault = read_channels(path, OIIO::TypeDesc::FLOAT, &spec, &samples); !fault.empty())
     return fault;
-  if (!spec.format.is_floating_point())
+  const bool linear = OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
+  if (!spec.format.is_floating_point() && !linear)
     for (float& sample : samples) sample = strad::linear_from_srgb(sample);
   *image = Image(static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height));
   const float* sample = samples.data();
@@ -77,12 +78,14 @@ std::string read_srgb(const std::string& path, SrgbImage* image) {
 }
 
 bool is_float_format(const std::string& format) { return format == "hdr" || format == "rgbe"; }
-bool is_word_format(const std::string& format) { return format == "tif" || format == "tiff"; }
+bool has_words(const std::string& format, bool eight_bits) {
+  return !eight_bits && (format == "tif" || format == "tiff");
+}
 
-OIIO::ImageSpec spec_for(const Image& image, const std::string& format) {
-  const OIIO::TypeDesc type = is_float_format(format)  ? OIIO::TypeDesc::FLOAT
-                              : is_word_format(format) ? OIIO::TypeDesc::UINT16
-                                                       : OIIO::TypeDesc::UINT8;
+OIIO::ImageSpec spec_for(const Image& image, const std::string& format, bool eight_bits) {
+  const OIIO::TypeDesc type = is_float_format(format)         ? OIIO::TypeDesc::FLOAT
+                              : has_words(format, eight_bits) ? OIIO::TypeDesc::UINT16
+                                                              : OIIO::TypeDesc::UINT8;
   OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), 3, type);
   spec.attribute("DateTime",
                  "1970:01:01 00:00:00");  // not the current time: equal pixels must give equal bytes
@@ -108,9 +111,10 @@ std::vector<Sample> whole_numbers_of(const Image& image, Encode encode) {
   return samples;
 }
 
-bool write_samples(OIIO::ImageOutput* output, const std::string& format, const Image& image) {
+bool write_samples(OIIO::ImageOutput* output, const std::string& format, bool eight_bits,
+                   const Image& image) {
   if (is_float_format(format)) return output->write_image(OIIO::TypeDesc::FLOAT, floats_of(image).data());
-  if (is_word_format(format))
+  if (has_words(format, eight_bits))
     return output->write_image(OIIO::TypeDesc::UINT16,
                                whole_numbers_of<uint16_t>(image, strad::srgb_word).data());
   return output->write_image(OIIO::TypeDesc::UINT8,
@@ -124,12 +128,12 @@ bool knows(const std::string& format) {
   return known;
 }
 
-std::string write(const std::string& path, const std::string& format, const Image& image) {
+std::string write(const std::string& path, const std::string& format, bool eight_bits, const Image& image) {
   keep_to_one_thread();
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
   if (!output) return "no writer for this format: " + first_line(OIIO::geterror());
-  if (!output->open(path, spec_for(image, format)) || !write_samples(output.get(), format, image) ||
-      !output->close())
+  if (!output->open(path, spec_for(image, format, eight_bits)) ||
+      !write_samples(output.get(), format, eight_bits, image) || !output->close())
     return "cannot be written: " + first_line(output->geterror());
   return "";
 }
