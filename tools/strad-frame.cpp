@@ -5,6 +5,7 @@
 #include "export/ply/write_ply.h"
 #include "export/pov/write_pov.h"
 #include "frame/encoding_words.h"
+#include "frame/layered_frame.h"
 #include "frame/write_pictures.h"
 #include "tool.h"
 #include "tool_progress.h"
@@ -21,7 +22,7 @@ struct FrameTool {
   FrameRequest request;
   bool pov = false, ply = false;
   std::optional<int> reference, seed;
-  std::string show, exposure;
+  std::string show, exposure, layers;
   std::optional<double> within;
   EncodingWords encoding;
 };
@@ -47,12 +48,22 @@ void check_show(const FrameTool& tool) {
   if (!tool.encoding.tone.empty()) throw BadInput("--show and --tone: found both, expected one of them");
 }
 
+void require_solution_pictures(const FrameTool& tool, const std::string& option) {
+  if (tool.pov || tool.ply || tool.reference || !tool.show.empty())
+    throw BadInput(option + ": for pictures of the solution, without --pov, --ply, --reference and --show");
+}
+
 void check_encoding(const FrameTool& tool) {
   const bool words = !tool.encoding.tone.empty() || !tool.encoding.depth.empty() || tool.encoding.white;
   if ((tool.pov || tool.ply) && words)
     throw BadInput("--tone, --white and --depth: for pictures, without --pov and --ply");
-  if (tool.request.auto_exposure && (tool.pov || tool.ply || tool.reference || !tool.show.empty()))
-    throw BadInput("--exposure auto: for pictures of the solution alone");
+  if (tool.request.auto_exposure) require_solution_pictures(tool, "--exposure auto");
+}
+
+void check_layers(const FrameTool& tool) {
+  if (tool.layers.empty()) return;
+  require_solution_pictures(tool, "--layers");
+  require_layer_files(tool.request.output, tool.request.layers);
 }
 
 // Light is dithered, and false colours are not.
@@ -93,11 +104,7 @@ void check(const FrameTool& tool) {
   if (tool.pov && !goes_to_files(request))
     throw BadInput("--pov: expected -o PATTERN, such as -o 'frame.%04d.inc'");
   check_encoding(tool);
-}
-
-ShowWhat show_of(const std::string& word) {
-  if (word == "elements") return ShowWhat::kElements;
-  return word == "error" ? ShowWhat::kError : ShowWhat::kOpenness;
+  check_layers(tool);
 }
 
 FrameTool parse_options(int argc, char** argv) {
@@ -130,6 +137,10 @@ FrameTool parse_options(int argc, char** argv) {
                  "metres that --show openness looks (default: a tenth of the scene)");
   options.text("--exposure", "EV|auto", &tool.exposure,
                "scale all light by 2^EV (default 0); auto: as the whole animation's brightness asks for");
+  options.text(
+      "--layers", "LIST", &tool.layers,
+      "layers in place of one picture: all, or some of combined, direct, indirect, emission, albedo, "
+      "normal, position, depth, motion, object, material");
   options.choice("--tone", {"linear", "srgb", "filmic"}, &tool.encoding.tone,
                  "how whole numbers follow from light (default srgb)");
   options.number("--white", "W", &tool.encoding.white, "radiance shown as white (default 1, filmic 5.6)");
@@ -149,6 +160,7 @@ FrameTool parse_options(int argc, char** argv) {
   request.raster.height = pixels.height;
   request.raster.direct = direct == "mesh" ? DirectFrom::kMesh : DirectFrom::kPixel;
   request.output = tool.common.output;
+  if (!tool.layers.empty()) request.layers = parse_layers("--layers", tool.layers);
   request.auto_exposure = tool.exposure == "auto";
   if (!tool.exposure.empty() && !request.auto_exposure)
     request.exposure = parse_number(tool.exposure, "--exposure");
@@ -156,7 +168,7 @@ FrameTool parse_options(int argc, char** argv) {
   if (!tool.pov && !tool.ply) request.encoding = encoding_of(tool);
   request.software = options.software();
   request.provenance = options.provenance();
-  if (!tool.show.empty()) request.show = show_of(tool.show);
+  if (!tool.show.empty()) request.show = show_named(tool.show);
   request.within = tool.within.value_or(0);
   request.reference = tool.reference.value_or(0);
   request.seed = static_cast<uint64_t>(tool.seed.value_or(0));

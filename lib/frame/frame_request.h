@@ -8,6 +8,7 @@
 #include "base/file_pattern.h"
 #include "base/progress.h"
 #include "frame/frame_list.h"
+#include "frame/layer_list.h"
 #include "frame/raster.h"
 #include "frame/show.h"
 #include "image/encoding.h"
@@ -27,6 +28,7 @@ struct FrameRequest {
   double exposure = 0;               // all light is scaled by 2^exposure
   bool auto_exposure = false;        // in place of it, that of the animation's brightness
   Encoding encoding;                 // of pictures
+  std::vector<LayerKind> layers;     // in place of the one picture
   bool pfm = false;                  // on standard output, PFM in place of PPM
   RasterOptions raster;              // its shutter is set from the one above
   int reference = 0;                 // paths per pixel of a reference frame; 0: frames of the solution

@@ -1,6 +1,7 @@
 #include "frame/raster.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -59,12 +60,16 @@ const Reconstruction& Raster::reconstruction_for(const Slab& slab) {
   return *reconstruction_;
 }
 
-Image Raster::render(const Slab& slab, const Camera& camera, double time, const RasterOptions& options) {
+Image Raster::render(const Slab& slab, const Camera& camera, double time, const RasterOptions& options,
+                     LightLayers* layers) {
   check(options);
   const bool trace_direct = options.direct == DirectFrom::kPixel;
   const double end =
       std::min(time + options.shutter, slab_end(slab));  // the slab has no light beyond its end
   const FrameLight light(slab, reconstruction_for(slab), time, end, {!trace_direct, options.flat});
+  std::optional<FrameLight> indirect;
+  if (layers && !trace_direct)
+    indirect.emplace(slab, reconstruction_for(slab), time, end, FrameLightOptions{false, options.flat});
   FrameView view{scene_,
                  tracer_,
                  surfaces_,
@@ -73,15 +78,17 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
                  {},
                  trace_direct ? groups_.size() : 0,
                  trace_direct,
+                 indirect ? &*indirect : nullptr,
                  static_cast<uint32_t>(options.lamp_samples)};
   for (const double instant : exposure_times(time, options.shutter)) {
     view.instants.push_back(lights_at(scene_, groups_, instant));
     view.cameras.emplace_back(camera_at(camera, instant), options.width, options.height);
   }
   Image image(options.width, options.height);
+  if (layers) *layers = {image, image, image};
   const std::vector<TileRect> tiles = tiles_of(options.width, options.height);
   parallel_for(tiles.size(), 1, [&](size_t first, size_t last) {
-    for (size_t t = first; t < last; ++t) render_tile(view, options.samples, tiles[t], &image);
+    for (size_t t = first; t < last; ++t) render_tile(view, options.samples, tiles[t], &image, layers);
   });
   return image;
 }

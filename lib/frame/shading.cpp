@@ -40,14 +40,18 @@ Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPo
   Sample sample;
   sample.point = sight.point;
   sample.front = sight.front;
-  sample.base = sight.emission;
+  sample.base = {sight.emission, {}, sight.emission};
   if (sight.point.polygon == kNone || is_black(sight.reflectance)) return sample;
   Rgb irradiance = view.light.irradiance(sight.point.polygon, sight.front, sight.at, &sample.leaf);
+  sample.base.indirect = reflected(
+      sight, view.indirect
+                 ? view.indirect->irradiance(sight.point.polygon, sight.front, sight.at, &sample.leaf)
+                 : irradiance);
   SpotRays spot_rays;
   if (view.trace_direct)
     irradiance += spots_irradiance(view.tracer, lights.cones, lights.instant, sight.point, &spot_rays);
   sample.spots = spot_rays.reached;
-  sample.base += reflected(sight, irradiance);
+  sample.base.all += reflected(sight, irradiance);
   thread_local GroupSight seen;
   for (size_t l = 0; l < view.group_count; ++l) {
     const LitGroup& group = lights.groups[l];
@@ -70,9 +74,10 @@ void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample
                   &seen, &share->shadow);
 }
 
-Rgb radiance(const FrameView& view, const Sample& sample, const GroupShare* shares) {
-  Rgb sum = sample.base;
-  for (size_t l = 0; l < view.group_count; ++l) sum += free_fraction(shares[l].shadow) * shares[l].radiance;
+Light light_of(const FrameView& view, const Sample& sample, const GroupShare* shares) {
+  Light sum = sample.base;
+  for (size_t l = 0; l < view.group_count; ++l)
+    sum.all += free_fraction(shares[l].shadow) * shares[l].radiance;
   return sum;
 }
 

@@ -5,6 +5,7 @@
 
 #include "frame/auto_exposure.h"
 #include "frame/frame_facts.h"
+#include "frame/layered_frame.h"
 #include "frame/reference.h"
 #include "image/files.h"
 #include "image/pnm.h"
@@ -55,6 +56,21 @@ void write_each(const FrameRequest& request, const Scene& scene, TimeRange range
   output.commit();
 }
 
+// The same in layers, which go to files.
+void write_each_layered(const FrameRequest& request, const Scene& scene, TimeRange range, double exposure,
+                        const Progress& progress,
+                        const std::function<LayeredImage(const Camera&, double time)>& render) {
+  const std::vector<FrameTime> frames = requested_frames(request, scene, range);
+  const Camera camera = requested_camera(request, scene);
+  const FilePattern pattern = output_pattern(request, frames.size());
+  require_image_format(pattern.name(frames.front().number));
+  for (size_t i = 0; i < frames.size(); ++i) {
+    report_frame(progress, i, frames.size(), frames[i].number);
+    save_layered_frame(pattern.name(frames[i].number), render(camera, frames[i].time), request.layers,
+                       request.encoding, facts_of(request, scene, camera, frames[i], exposure));
+  }
+}
+
 }  // namespace
 
 double write_pictures(const FrameRequest& request, const Progress& progress) {
@@ -67,11 +83,21 @@ double write_pictures(const FrameRequest& request, const Progress& progress) {
     const Camera camera = requested_camera(request, file.scene());
     exposure = exposure_for(&file, &raster, camera, options, request.encoding);
   }
-  write_each(request, file.scene(), {file.begin(), file.end()}, exposure, progress,
-             [&](const Camera& camera, double time) {
-               const Slab& slab = file.slab_for(time, time + options.shutter, parts_for(options));
-               return raster.render(slab, camera, time, options);
-             });
+  const TimeRange range{file.begin(), file.end()};
+  const auto slab_for = [&](double time) -> const Slab& {
+    return file.slab_for(time, time + options.shutter, parts_for(options));
+  };
+  if (!request.layers.empty()) {
+    write_each_layered(request, file.scene(), range, exposure, progress,
+                       [&](const Camera& camera, double time) {
+                         return render_layers(&raster, file.scene(), slab_for(time), camera, time, options,
+                                              exposure, request.layers);
+                       });
+    return exposure;
+  }
+  write_each(request, file.scene(), range, exposure, progress, [&](const Camera& camera, double time) {
+    return raster.render(slab_for(time), camera, time, options);
+  });
   return exposure;
 }
 

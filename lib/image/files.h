@@ -12,8 +12,7 @@
 
 namespace strad {
 
-// Linear RGB. Integers are taken to be on the sRGB curve unless the file says that they are linear, floats to
-// be linear. Grey fills all channels, alpha
+// Linear RGB. Integers are taken to be on the sRGB curve, floats to be linear. Grey fills all channels, alpha
 // is dropped. "-" is standard input, for PPM and PFM. Throws IoError or BadInput beginning with the
 // path.
 Image load_image(const std::string& path);

@@ -17,6 +17,7 @@ struct Texture {
   std::string name;  // as the MTL file spells it
   uint32_t width = 0, height = 0;
   std::vector<uint8_t> srgb;  // width * height * 3
+  bool clamp = false;         // outside of 0..1 its edge goes on; else it repeats
 };
 
 struct Material {

@@ -25,6 +25,7 @@ class SceneDecoder {
  private:
   Scene scene_;
   std::vector<ChunkType> seen_;
+  std::vector<bool> clamps_;  // of the textures
 };
 
 }  // namespace strad

@@ -47,8 +47,7 @@ std::string read(const std::string& path, Image* image) {
   std::vector<float> samples;
   if (const std::string fault = read_channels(path, OIIO::TypeDesc::FLOAT, &spec, &samples); !fault.empty())
     return fault;
-  const bool linear = OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
-  if (!spec.format.is_floating_point() && !linear)
+  if (!spec.format.is_floating_point())
     for (float& sample : samples) sample = strad::linear_from_srgb(sample);
   *image = Image(static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height));
   const float* sample = samples.data();

@@ -1,6 +1,8 @@
 // OBJ files as scenes.
 #include "import/obj/obj.h"
 
+#include <map>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "import/obj/file.h"
@@ -60,6 +62,25 @@ void FaceAdder::add(size_t face_number) {
   }
 }
 
+// Gives polygons whose texture is scaled or moved coordinates of their own.
+void place_textures(const std::vector<TexturePlacement>& placements, Scene* scene) {
+  std::map<std::pair<uint32_t, uint32_t>, uint32_t> placed;  // by material and coordinate
+  for (Polygon& polygon : scene->polygons) {
+    const TexturePlacement& place = placements[polygon.material];
+    if (place.is_usual()) continue;
+    for (uint32_t& uv : polygon.uvs) {
+      if (uv == kNone) continue;
+      const auto [known, is_new] =
+          placed.insert({{polygon.material, uv}, static_cast<uint32_t>(scene->uvs.size())});
+      if (is_new) {
+        const Vec2 at = scene->uvs[uv];
+        scene->uvs.push_back({at.x * place.scale.x + place.offset.x, at.y * place.scale.y + place.offset.y});
+      }
+      uv = known->second;
+    }
+  }
+}
+
 // Materials and objects that no polygon uses are dropped.
 void drop_unused_names(Scene* scene) {
   std::vector<uint32_t> material_at(scene->materials.size(), kNone), object_at(scene->objects.size(), kNone);
@@ -98,15 +119,17 @@ ObjFile read_obj(const std::string& path, const ImportOptions& options, ImportRe
 Scene scene_of(ObjFile file, const std::vector<uint32_t>& bodies, std::vector<Body> moving,
                const ImportOptions& options, ImportReport* report) {
   Scene scene;
-  load_obj_materials(file.scan, file.path, options, report, &scene);
+  const std::vector<TexturePlacement> placements =
+      load_obj_materials(file.scan, file.path, options, report, &scene);
   for (size_t i = 0; i < file.scan.objects.size(); ++i)
     scene.objects.push_back({file.scan.objects[i].name, bodies.empty() ? 0 : bodies[i]});
   for (Body& body : moving) scene.bodies.push_back(std::move(body));
   FaceAdder adder(file.obj, file.scan, file.name, report, &scene);
   for (size_t face = 0; face < file.obj.faces.size(); ++face) adder.add(face);
-  drop_unused_names(&scene);
   scene.vertices = std::move(file.obj.vertices);
   scene.uvs = std::move(file.obj.uvs);
+  place_textures(placements, &scene);
+  drop_unused_names(&scene);
   return scene;
 }
 

@@ -90,7 +90,7 @@ class Scanner {
 
  private:
   void statement(std::string_view word, std::string_view rest);
-  void numbers(std::string_view word, std::string_view rest, size_t least, size_t most, size_t kept);
+  size_t numbers(std::string_view word, std::string_view rest, size_t least, size_t most, size_t kept);
   void vertex(std::string_view rest);
   void face(std::string_view rest);
   void corner(std::string_view word);
@@ -115,8 +115,9 @@ class Scanner {
   bool object_changed_ = true, material_changed_ = true;
 };
 
-// Checks all numbers and copies the first `kept`. A comment may follow them.
-void Scanner::numbers(std::string_view word, std::string_view rest, size_t least, size_t most, size_t kept) {
+// Checks all numbers, copies the first `kept`, and returns how many there are. A comment may follow them.
+size_t Scanner::numbers(std::string_view word, std::string_view rest, size_t least, size_t most,
+                        size_t kept) {
   size_t count = 0;
   for (std::string_view text = next_word(&rest); !text.empty() && !text.starts_with('#');
        text = next_word(&rest)) {
@@ -128,7 +129,7 @@ void Scanner::numbers(std::string_view word, std::string_view rest, size_t least
     put(text.starts_with('+') ? text.substr(1) : text);
   }
   if (kept > 0) put("\n");
-  if (count >= least && count <= most) return;
+  if (count >= least && count <= most) return count;
   const std::string expected = std::to_string(least) + (most > least ? " to " + std::to_string(most) : "");
   fail_at(name_, lines_.number(),
           std::string(word) + " has " + std::to_string(count) + " numbers, expected " + expected);
@@ -136,7 +137,7 @@ void Scanner::numbers(std::string_view word, std::string_view rest, size_t least
 
 // x y z; some files have a weight or a colour after them.
 void Scanner::vertex(std::string_view rest) {
-  numbers("v", rest, 3, 7, 3);
+  if (numbers("v", rest, 3, 7, 3) >= 6) left_out("vertex colour");
   vertices_.add(lines_.number());
 }
 

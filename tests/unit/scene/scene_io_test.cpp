@@ -92,6 +92,25 @@ TEST(SceneIo, MaterialsComeBack) {
   EXPECT_EQ(back.textures[0].srgb, scene.textures[0].srgb);
 }
 
+TEST(SceneIo, ClampedTexturesComeBackAndCostNothingWhereThereAreNone) {
+  Scene scene = full_scene();
+  const size_t chunks = encode_scene(scene).size();
+  scene.textures[0].clamp = true;
+  const std::vector<Chunk> encoded = encode_scene(scene);
+  EXPECT_EQ(encoded.size(), chunks + 1);
+  EXPECT_TRUE(decoded(encoded).textures[0].clamp);
+  for (Chunk chunk : encoded) {
+    if (chunk.type != chunk_type("TEXM")) continue;
+    EXPECT_EQ(chunk.content, (Bytes{1, 1}));  // one texture, clamped
+    SceneDecoder decoder;
+    for (const Bytes& bad : {Bytes{1, 2}, Bytes{1}, Bytes{200, 1}, Bytes{1, 1, 0}})
+      EXPECT_THROW(SceneDecoder().add(chunk.type, bad, "place"), BadInput);
+    for (const Chunk& other : encoded)
+      decoder.add(other.type, other.type == chunk.type ? Bytes{2, 1, 1} : other.content, "place");
+    EXPECT_THROW(decoder.finish("stream"), BadInput);  // modes of two textures, but there is one
+  }
+}
+
 TEST(SceneIo, MotionComesBack) {
   const Scene scene = full_scene(), back = decoded(encode_scene(scene));
   EXPECT_EQ(back.start, -1);
