@@ -88,7 +88,7 @@ void put(float* to, Vec3 v) {
 
 void GeometryRenderer::set_middle(uint32_t x, uint32_t y, const Sight& sight) const {
   const bool seen = sight.point.polygon != kNone;
-  if (targets_.normal && seen) put(at(targets_.normal, x, y), sight.point.normal);
+  if (targets_.normal && seen) put(at(targets_.normal, x, y), sight.smooth.normal);
   if (targets_.position && seen) put(at(targets_.position, x, y), sight.point.position);
   if (targets_.depth)
     *at(targets_.depth, x, y) =

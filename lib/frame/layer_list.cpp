@@ -10,7 +10,7 @@ namespace strad {
 namespace {
 
 constexpr std::string_view kWords[] = {"combined", "direct", "indirect", "emission", "albedo",  "normal",
-                                  "position", "depth",  "motion",   "object",   "material"};
+                                       "position", "depth",  "motion",   "object",   "material"};
 
 }  // namespace
 

@@ -50,14 +50,12 @@ Raster::Raster(const Scene& scene)
     : scene_(scene), tracer_(scene), surfaces_(scene, tracer_), groups_(emitter_groups(scene)) {}
 Raster::~Raster() = default;
 
-const Reconstruction& Raster::reconstruction_for(const Slab& slab) {
-  const bool known = reconstructed_ == &slab && reconstructed_begin_ == slab_begin(slab);
-  if (!known) {
-    reconstruction_ = std::make_unique<Reconstruction>(slab.mesh);
-    reconstructed_ = &slab;
-    reconstructed_begin_ = slab_begin(slab);
-  }
-  return *reconstruction_;
+void Raster::prepare_for(const Slab& slab) {
+  if (reconstructed_ == &slab && reconstructed_begin_ == slab_begin(slab)) return;
+  reconstruction_ = std::make_unique<Reconstruction>(slab.mesh);
+  joints_ = std::make_unique<SmoothJoints>(scene_, slab.mesh, *reconstruction_);
+  reconstructed_ = &slab;
+  reconstructed_begin_ = slab_begin(slab);
 }
 
 Image Raster::render(const Slab& slab, const Camera& camera, double time, const RasterOptions& options,
@@ -66,10 +64,11 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
   const bool trace_direct = options.direct == DirectFrom::kPixel;
   const double end =
       std::min(time + options.shutter, slab_end(slab));  // the slab has no light beyond its end
-  const FrameLight light(slab, reconstruction_for(slab), time, end, {!trace_direct, options.flat});
+  prepare_for(slab);
+  const FrameLight light(slab, *reconstruction_, *joints_, time, end, {!trace_direct, options.flat});
   std::optional<FrameLight> indirect;
   if (layers && !trace_direct)
-    indirect.emplace(slab, reconstruction_for(slab), time, end, FrameLightOptions{false, options.flat});
+    indirect.emplace(slab, *reconstruction_, *joints_, time, end, FrameLightOptions{false, options.flat});
   FrameView view{scene_,
                  tracer_,
                  surfaces_,
@@ -95,7 +94,8 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
 
 std::vector<Rgb> Raster::reflected_light(const Slab& slab, const Camera& camera, double time, uint32_t width,
                                          uint32_t height) {
-  const FrameLight light(slab, reconstruction_for(slab), time, time, {true, false});
+  prepare_for(slab);
+  const FrameLight light(slab, *reconstruction_, *joints_, time, time, {true, false});
   const CameraRays rays(camera_at(camera, time), width, height);
   const Instant instant = instant_at(scene_, time);
   std::vector<Rgb> seen;

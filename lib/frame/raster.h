@@ -54,13 +54,14 @@ class Raster {
                                    uint32_t height);
 
  private:
-  const Reconstruction& reconstruction_for(const Slab& slab);
+  void prepare_for(const Slab& slab);
 
   const Scene& scene_;
   Tracer tracer_;
   Surfaces surfaces_;
   std::vector<EmitterGroup> groups_;
   std::unique_ptr<Reconstruction> reconstruction_;  // of the last slab
+  std::unique_ptr<SmoothJoints> joints_;            // likewise
   const Slab* reconstructed_ = nullptr;
   double reconstructed_begin_ = 0;
 };

@@ -38,7 +38,7 @@ Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPo
   std::fill(shares, shares + view.group_count, GroupShare{});
   const LightsAtInstant& lights = view.instants[instant];
   Sample sample;
-  sample.point = sight.point;
+  sample.point = sight.smooth;
   sample.front = sight.front;
   sample.base = {sight.emission, {}, sight.emission};
   if (sight.point.polygon == kNone || is_black(sight.reflectance)) return sample;
@@ -49,17 +49,17 @@ Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPo
                  : irradiance);
   SpotRays spot_rays;
   if (view.trace_direct)
-    irradiance += spots_irradiance(view.tracer, lights.cones, lights.instant, sight.point, &spot_rays);
+    irradiance += spots_irradiance(view.tracer, lights.cones, lights.instant, sight.smooth, &spot_rays);
   sample.spots = spot_rays.reached;
   sample.base.all += reflected(sight, irradiance);
   thread_local GroupSight seen;
   for (size_t l = 0; l < view.group_count; ++l) {
     const LitGroup& group = lights.groups[l];
     if (is_black(group.radiance)) continue;
-    see_group(group, sight.point, &seen);
-    shares[l].irradiance = unoccluded_irradiance(group, sight.point, seen);
+    see_group(group, sight.smooth, &seen);
+    shares[l].irradiance = unoccluded_irradiance(group, sight.smooth, seen);
     shares[l].radiance = static_cast<float>(shares[l].irradiance) * reflected(sight, group.radiance);
-    add_shadow_rays(view.tracer, lights.instant, group, sight.point, shares[l].irradiance, points, &seen,
+    add_shadow_rays(view.tracer, lights.instant, group, sight.smooth, shares[l].irradiance, points, &seen,
                     &shares[l].shadow);
   }
   return sample;

@@ -191,11 +191,13 @@ std::vector<std::string> get_lines(ByteReader* from) {
   return lines;
 }
 
-void decode(ChunkType type, ByteReader* from, Scene* scene, std::vector<bool>* clamps) {
+void decode(ChunkType type, ByteReader* from, Scene* scene, std::vector<bool>* clamps,
+            StoredNormals* normals) {
   if (type == kProvenance) scene->provenance = get_lines(from);
   if (type == kVertices) scene->vertices = get_points<Vec3>(from, {&Vec3::x, &Vec3::y, &Vec3::z});
   if (type == kTextureCoordinates) scene->uvs = get_points<Vec2>(from, {&Vec2::x, &Vec2::y});
   if (type == kPolygons) scene->polygons = get_polygons(from);
+  if (type == kNormalsChunk) *normals = get_normals(from);
   if (type == kObjects) scene->objects = get_objects(from);
   if (type == kMaterials) scene->materials = get_materials(from);
   if (type == kTexture) scene->textures.push_back(get_texture(from));
@@ -204,7 +206,7 @@ void decode(ChunkType type, ByteReader* from, Scene* scene, std::vector<bool>* c
 }
 
 constexpr ChunkType kRequired[] = {kVertices, kPolygons, kObjects, kMaterials, kMotion};
-constexpr ChunkType kOptional[] = {kProvenance, kTextureCoordinates, kTexture, kTextureModes};
+constexpr ChunkType kOptional[] = {kProvenance, kTextureCoordinates, kTexture, kTextureModes, kNormalsChunk};
 
 bool contains(std::span<const ChunkType> types, ChunkType type) {
   return std::find(types.begin(), types.end(), type) != types.end();
@@ -222,6 +224,7 @@ std::vector<Chunk> encode_scene(const Scene& scene) {
   put_points(add(kVertices), scene.vertices, {&Vec3::x, &Vec3::y, &Vec3::z});
   if (!scene.uvs.empty()) put_points(add(kTextureCoordinates), scene.uvs, {&Vec2::x, &Vec2::y});
   put_polygons(add(kPolygons), scene.polygons);
+  if (!scene.normals.empty()) put_normals(add(kNormalsChunk), scene);
   put_objects(add(kObjects), scene.objects);
   put_materials(add(kMaterials), scene.materials);
   for (const Texture& texture : scene.textures) put_texture(add(kTexture), texture);
@@ -239,7 +242,7 @@ bool SceneDecoder::add(ChunkType type, ByteSpan content, const std::string& plac
   if (type != kTexture && contains(seen_, type)) throw BadInput(place + ": there is one already");
   seen_.push_back(type);
   ByteReader from(content, place);
-  decode(type, &from, &scene_, &clamps_);
+  decode(type, &from, &scene_, &clamps_, &normals_);
   from.finish();
   return true;
 }
@@ -251,6 +254,7 @@ Scene SceneDecoder::finish(const std::string& place) {
     throw BadInput(place + ": found modes of " + std::to_string(clamps_.size()) + " textures, expected " +
                    std::to_string(scene_.textures.size()));
   for (size_t i = 0; i < clamps_.size(); ++i) scene_.textures[i].clamp = clamps_[i];
+  if (contains(seen_, kNormalsChunk)) apply_normals(std::move(normals_), place, &scene_);
   try {
     validate(scene_);
   } catch (const BadInput& fault) {

@@ -1,8 +1,11 @@
 // OBJ files become scenes or are refused with file and line; nothing is misread in silence.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "base/error.h"
 #include "import/obj/obj.h"
@@ -265,6 +268,81 @@ TEST_F(ImportObj, names_once_what_has_no_effect) {
                        "m.mtl:8: illum is ignored", "m.mtl:9: Pr is ignored",
                        "m.mtl:10: map_Bump is ignored (2 in all)", "m.mtl:11: map_Ks is ignored",
                        "m.mtl:12: Tf is ignored", "m.mtl:13: refl is ignored"}));
+}
+
+// The sides of a column of `sides` quads about the y axis, of radius 1; counter-clockwise from outside.
+std::string column(int sides, const std::function<std::string(int corner)>& normal_of_corner) {
+  std::string vertices, faces;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * kPi * i / sides;
+    for (const double y : {0.0, 2.0})
+      vertices += "v " + std::to_string(std::sin(angle)) + " " + std::to_string(y) + " " +
+                  std::to_string(std::cos(angle)) + "\n";
+    faces += "f";
+    const int next = (i + 1) % sides;
+    for (const int corner : {2 * i + 1, 2 * next + 1, 2 * next + 2, 2 * i + 2})
+      faces += " " + std::to_string(corner) + normal_of_corner(corner);
+    faces += "\n";
+  }
+  return vertices + faces;
+}
+
+// Is the normal at each corner that of the round column?
+void expect_round(const Scene& scene, double tolerance) {
+  for (const Polygon& polygon : scene.polygons) {
+    ASSERT_TRUE(polygon.is_smooth());
+    for (int c = 0; c < polygon.corner_count(); ++c) {
+      const Vec3 at = scene.vertices[polygon.corners[c]];
+      EXPECT_LT(length(scene.normals[polygon.normals[c]] - Vec3{at.x, 0, at.z}), tolerance);
+    }
+  }
+}
+
+TEST_F(ImportObj, takes_normals_of_any_length_and_either_winding) {
+  std::string normals;
+  for (int i = 0; i < 8; ++i)
+    normals += "vn " + std::to_string(2 * std::sin(kPi / 4 * i)) + " 0 " +
+               std::to_string(2 * std::cos(kPi / 4 * i)) + "\n";
+  const auto of_corner = [](int corner) { return "//" + std::to_string((corner + 1) / 2); };
+  const Scene scene = import(normals + column(8, of_corner));
+  expect_round(scene, 1e-4);
+  EXPECT_EQ(scene.normals.size(), 8u);    // each once
+  EXPECT_EQ(report_.lines().size(), 1u);  // that there is no material, and nothing of normals
+  // Inside out: faces stay as they are wound, and the normals follow them.
+  std::string inwards;
+  for (int i = 0; i < 8; ++i)
+    inwards += "vn " + std::to_string(-std::sin(kPi / 4 * i)) + " 0 " +
+               std::to_string(-std::cos(kPi / 4 * i)) + "\n";
+  expect_round(import(inwards + column(8, of_corner)), 1e-4);
+}
+
+TEST_F(ImportObj, smooths_groups_and_angles_where_there_are_no_normals) {
+  const auto none = [](int) { return ""; };
+  // In a group: at each corner two quads of equal angle meet, whose mean is the round normal.
+  expect_round(import("s 3\n" + column(8, none)), 1e-4);
+  for (const char* off : {"", "s off\n", "s 0\n"})
+    EXPECT_TRUE(import(off + column(8, none)).normals.empty()) << off;
+  // By angle: quads meet at 45 degrees.
+  options_.smooth = 46 * kPi / 180;
+  expect_round(import(column(8, none)), 1e-4);
+  options_.smooth = 44 * kPi / 180;
+  EXPECT_TRUE(import(column(8, none)).normals.empty());
+  // Two groups meet in an edge.
+  options_.smooth = 0;
+  const Scene parted =
+      import("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 -1\nv 1 1 -1\ns 1\nf 1 2 3 4\ns 2\nf 2 5 6 3\n");
+  EXPECT_TRUE(parted.normals.empty());
+}
+
+TEST_F(ImportObj, stays_flat_where_normals_say_so_or_contradict) {
+  options_.smooth = kPi;
+  const std::string ridge = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 -1\nv 1 1 -1\nvn 0 0 1\nvn 1 0 0\n";
+  const Scene flat = import(ridge + "f 1//1 2//1 3//1 4//1\nf 2//2 5//2 6//2 3//2\n");
+  EXPECT_TRUE(flat.normals.empty());
+  const Scene contrary = import(ridge + "vn 0 0 -1\nf 1//1 2//3 3//1 4//1\n");
+  EXPECT_TRUE(contrary.normals.empty());
+  EXPECT_EQ(note(1), "room.obj:10: face whose normals lie on both of its sides is drawn flat");
+  EXPECT_NE(refusal("s x\n" + ridge + "f 1 2 3\n").find("found s \"x\", expected off"), std::string::npos);
 }
 
 TEST_F(ImportObj, refuses_a_texture_that_is_missing_or_broken) {
