@@ -4,6 +4,8 @@
 
 #include "export/ply/write_ply.h"
 #include "export/pov/write_pov.h"
+#include "frame/encoding_words.h"
+#include "frame/layered_frame.h"
 #include "frame/write_pictures.h"
 #include "tool.h"
 #include "tool_progress.h"
@@ -20,8 +22,9 @@ struct FrameTool {
   FrameRequest request;
   bool pov = false, ply = false;
   std::optional<int> reference, seed;
-  std::string show;
+  std::string show, exposure, layers;
   std::optional<double> within;
+  EncodingWords encoding;
 };
 
 void check_reference(const FrameTool& tool) {
@@ -42,6 +45,35 @@ void check_show(const FrameTool& tool) {
   if (tool.show.empty()) return;
   if (tool.pov || tool.ply || tool.reference || tool.request.raster.flat || tool.request.shutter > 0)
     throw BadInput("--show: for pictures, without --pov, --ply, --reference, --flat and --shutter");
+  if (!tool.encoding.tone.empty()) throw BadInput("--show and --tone: found both, expected one of them");
+}
+
+void require_solution_pictures(const FrameTool& tool, const std::string& option) {
+  if (tool.pov || tool.ply || tool.reference || !tool.show.empty())
+    throw BadInput(option + ": for pictures of the solution, without --pov, --ply, --reference and --show");
+}
+
+void check_encoding(const FrameTool& tool) {
+  const bool words = !tool.encoding.tone.empty() || !tool.encoding.depth.empty() || tool.encoding.white;
+  if ((tool.pov || tool.ply) && words)
+    throw BadInput("--tone, --white and --depth: for pictures, without --pov and --ply");
+  if (tool.request.auto_exposure) require_solution_pictures(tool, "--exposure auto");
+}
+
+void check_layers(const FrameTool& tool) {
+  if (tool.layers.empty()) return;
+  require_solution_pictures(tool, "--layers");
+  require_layer_files(tool.request.output, tool.request.layers);
+}
+
+// Light is dithered, and false colours are not.
+Encoding encoding_of(const FrameTool& tool) {
+  const bool pipe = !goes_to_files(tool.request);
+  Encoding encoding = parse_encoding(tool.encoding, !pipe              ? tool.request.output
+                                                    : tool.request.pfm ? "-.pfm"
+                                                                       : "-.ppm");
+  encoding.dither = tool.show.empty();
+  return encoding;
 }
 
 void check(const FrameTool& tool) {
@@ -64,18 +96,15 @@ void check(const FrameTool& tool) {
   if (!(request.shutter >= 0 && request.shutter <= 1)) {
     throw BadInput("--shutter: expected a fraction of a frame, 0 to 1");
   }
-  if (!(std::abs(request.exposure) <= 64)) throw BadInput("--exposure: expected -64 to 64 stops");
+  if (!(std::abs(request.exposure) <= 64)) throw BadInput("--exposure: expected -64 to 64 stops, or auto");
   if (tool.pov && tool.ply) throw BadInput("--pov and --ply: found both, expected one of them");
   if (request.pfm && (goes_to_files(request) || tool.pov || tool.ply)) {
     throw BadInput("--pfm: for pictures on standard output; a file's format follows from its name");
   }
   if (tool.pov && !goes_to_files(request))
     throw BadInput("--pov: expected -o PATTERN, such as -o 'frame.%04d.inc'");
-}
-
-ShowWhat show_of(const std::string& word) {
-  if (word == "elements") return ShowWhat::kElements;
-  return word == "error" ? ShowWhat::kError : ShowWhat::kOpenness;
+  check_encoding(tool);
+  check_layers(tool);
 }
 
 FrameTool parse_options(int argc, char** argv) {
@@ -106,21 +135,40 @@ FrameTool parse_options(int argc, char** argv) {
                  "in place of light, the mesh, its error, or how open surfaces are");
   options.number("--within", "M", &tool.within,
                  "metres that --show openness looks (default: a tenth of the scene)");
-  options.number("--exposure", "EV", &request.exposure, "scale all light by 2^EV (default 0)");
+  options.text("--exposure", "EV|auto", &tool.exposure,
+               "scale all light by 2^EV (default 0); auto: as the whole animation's brightness asks for");
+  options.text(
+      "--layers", "LIST", &tool.layers,
+      "layers in place of one picture: all, or some of combined, direct, indirect, emission, albedo, "
+      "normal, position, depth, motion, object, material");
+  options.choice("--tone", {"linear", "srgb", "filmic"}, &tool.encoding.tone,
+                 "how whole numbers follow from light (default srgb)");
+  options.number("--white", "W", &tool.encoding.white, "radiance shown as white (default 1, filmic 5.6)");
+  options.choice("--depth", {"half", "float", "8", "16"}, &tool.encoding.depth,
+                 "numbers in picture files (default: what is usual for the format)");
   options.flag("--pfm", &request.pfm, "linear PFM on standard output in place of PPM");
   options.flag("--pov", &tool.pov, "write files for POV-Ray in place of pictures");
   options.flag("--ply", &tool.ply, "write PLY meshes with light at their vertices in place of pictures");
   options.output("write files; for several frames a pattern such as frame.%04d.exr");
   options.jobs();
   options.file("STREAM", &request.stream, "the stream; standard input when absent or -");
+  // A frame has the same bytes whichever frames are made with it, and from wherever the stream comes.
+  for (const char* name : {"-f", "--frames", "-t", "--time"}) options.unrecorded(name, true);
   options.parse(argc, argv);
   const PictureSize pixels = parse_size("--size", size);
   request.raster.width = pixels.width;
   request.raster.height = pixels.height;
   request.raster.direct = direct == "mesh" ? DirectFrom::kMesh : DirectFrom::kPixel;
   request.output = tool.common.output;
+  if (!tool.layers.empty()) request.layers = parse_layers("--layers", tool.layers);
+  request.auto_exposure = tool.exposure == "auto";
+  if (!tool.exposure.empty() && !request.auto_exposure)
+    request.exposure = parse_number(tool.exposure, "--exposure");
   check(tool);
-  if (!tool.show.empty()) request.show = show_of(tool.show);
+  if (!tool.pov && !tool.ply) request.encoding = encoding_of(tool);
+  request.software = options.software();
+  request.provenance = options.provenance();
+  if (!tool.show.empty()) request.show = show_named(tool.show);
   request.within = tool.within.value_or(0);
   request.reference = tool.reference.value_or(0);
   request.seed = static_cast<uint64_t>(tool.seed.value_or(0));
@@ -139,7 +187,8 @@ int write_frames(const FrameTool& tool) {
   } else if (tool.request.show) {
     write_shows(tool.request, progress);
   } else {
-    write_pictures(tool.request, progress);
+    const double exposure = write_pictures(tool.request, progress);
+    if (tool.request.auto_exposure) detail(tool.common, "exposure " + std::to_string(exposure));
   }
   return 0;
 }

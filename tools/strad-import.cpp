@@ -41,6 +41,7 @@ ImportTool parse_options(int argc, char** argv) {
   ImportTool tool;
   std::vector<std::string> lights;
   std::string rate;
+  double smooth = 0;
   Options options("strad-import", "Turns an OBJ, POV-Ray or glTF scene or animation into a scene stream.",
                   &tool.common);
   options.file("SCENE", &tool.path, "scene file; standard input when absent or -");
@@ -59,6 +60,8 @@ ImportTool parse_options(int argc, char** argv) {
                 "let materials named NAME, a shell pattern, emit this radiance");
   options.number("--scale", "S", &tool.import.scale, "metres in a unit of SCENE (default 1)");
   options.choice("--up", {"y", "z"}, &tool.up, "upward axis of SCENE, turned so that y is up (default y)");
+  options.number("--smooth", "ANGLE", &smooth,
+                 "degrees up to which faces that meet are one smooth surface, where the file does not say");
   options.integer("--tessellate", "N", &tool.import.tessellate,
                   "sides of a round POV-Ray object (default 16)");
   options.flag("--skip-missing", &tool.import.skip_missing, "leave out files and materials that are missing");
@@ -67,6 +70,8 @@ ImportTool parse_options(int argc, char** argv) {
   options.parse(argc, argv);
   for (const std::string& light : lights) tool.import.lights.push_back(parse_light(light));
   if (!(tool.import.scale > 0)) throw BadInput("--scale: expected a number above 0");
+  if (!(smooth >= 0 && smooth <= 180)) throw BadInput("--smooth: expected 0 to 180 degrees");
+  tool.import.smooth = smooth * kPi / 180;
   if (tool.import.tessellate < 3 || tool.import.tessellate > kMaxSides)
     throw BadInput("--tessellate: expected 3 to " + std::to_string(kMaxSides) + " sides");
   if (!rate.empty()) tool.rate = parse_ratio(rate, "--rate");

@@ -149,7 +149,7 @@ void Options::unrecorded(const std::string& name, bool has_value) {
 }
 
 void Options::parse(int argc, char** argv) {
-  state_->provenance = state_->tool + " " STRAD_VERSION + recorded_arguments(argc, argv, state_->unrecorded);
+  state_->provenance = software() + recorded_arguments(argc, argv, state_->unrecorded);
   try {
     state_->app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -170,5 +170,6 @@ void Options::parse(int argc, char** argv) {
 }
 
 const std::string& Options::provenance() const { return state_->provenance; }
+std::string Options::software() const { return state_->tool + " " STRAD_VERSION; }
 
 }  // namespace strad

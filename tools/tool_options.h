@@ -60,6 +60,7 @@ class Options {
 
   // "strad-x VERSION arguments as typed".
   const std::string& provenance() const;
+  std::string software() const;  // "strad-x VERSION"
 
  private:
   struct State;

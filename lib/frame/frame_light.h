@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frame/reconstruction.h"
+#include "frame/smooth_joints.h"
 #include "solution/solution.h"
 
 namespace strad {
@@ -17,8 +18,8 @@ struct FrameLightOptions {
 class FrameLight {
  public:
   // At begin, or the mean over [begin, end] where end > begin. Keeps references.
-  FrameLight(const Slab& slab, const Reconstruction& reconstruction, double begin, double end,
-             const FrameLightOptions& options);
+  FrameLight(const Slab& slab, const Reconstruction& reconstruction, const SmoothJoints& joints, double begin,
+             double end, const FrameLightOptions& options);
 
   // W / m^2; zero on sides that no light reaches. With `flat`, `leaf` takes the element, otherwise it stays.
   Rgb irradiance(uint32_t polygon, bool front, Vec2 at, uint32_t* leaf) const;
@@ -27,7 +28,9 @@ class FrameLight {
   const Mesh& mesh_;
   const Reconstruction& reconstruction_;
   bool flat_;
+  const SmoothJoints& joints_;
   std::vector<Rgb> vertex_irradiance_;
+  std::vector<Rgb> corner_irradiance_;  // see SmoothJoints
 };
 
 }  // namespace strad

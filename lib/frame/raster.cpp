@@ -1,6 +1,7 @@
 #include "frame/raster.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -49,22 +50,25 @@ Raster::Raster(const Scene& scene)
     : scene_(scene), tracer_(scene), surfaces_(scene, tracer_), groups_(emitter_groups(scene)) {}
 Raster::~Raster() = default;
 
-const Reconstruction& Raster::reconstruction_for(const Slab& slab) {
-  const bool known = reconstructed_ == &slab && reconstructed_begin_ == slab_begin(slab);
-  if (!known) {
-    reconstruction_ = std::make_unique<Reconstruction>(slab.mesh);
-    reconstructed_ = &slab;
-    reconstructed_begin_ = slab_begin(slab);
-  }
-  return *reconstruction_;
+void Raster::prepare_for(const Slab& slab) {
+  if (reconstructed_ == &slab && reconstructed_begin_ == slab_begin(slab)) return;
+  reconstruction_ = std::make_unique<Reconstruction>(slab.mesh);
+  joints_ = std::make_unique<SmoothJoints>(scene_, slab.mesh, *reconstruction_);
+  reconstructed_ = &slab;
+  reconstructed_begin_ = slab_begin(slab);
 }
 
-Image Raster::render(const Slab& slab, const Camera& camera, double time, const RasterOptions& options) {
+Image Raster::render(const Slab& slab, const Camera& camera, double time, const RasterOptions& options,
+                     LightLayers* layers) {
   check(options);
   const bool trace_direct = options.direct == DirectFrom::kPixel;
   const double end =
       std::min(time + options.shutter, slab_end(slab));  // the slab has no light beyond its end
-  const FrameLight light(slab, reconstruction_for(slab), time, end, {!trace_direct, options.flat});
+  prepare_for(slab);
+  const FrameLight light(slab, *reconstruction_, *joints_, time, end, {!trace_direct, options.flat});
+  std::optional<FrameLight> indirect;
+  if (layers && !trace_direct)
+    indirect.emplace(slab, *reconstruction_, *joints_, time, end, FrameLightOptions{false, options.flat});
   FrameView view{scene_,
                  tracer_,
                  surfaces_,
@@ -73,17 +77,38 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
                  {},
                  trace_direct ? groups_.size() : 0,
                  trace_direct,
+                 indirect ? &*indirect : nullptr,
                  static_cast<uint32_t>(options.lamp_samples)};
   for (const double instant : exposure_times(time, options.shutter)) {
     view.instants.push_back(lights_at(scene_, groups_, instant));
     view.cameras.emplace_back(camera_at(camera, instant), options.width, options.height);
   }
   Image image(options.width, options.height);
+  if (layers) *layers = {image, image, image};
   const std::vector<TileRect> tiles = tiles_of(options.width, options.height);
   parallel_for(tiles.size(), 1, [&](size_t first, size_t last) {
-    for (size_t t = first; t < last; ++t) render_tile(view, options.samples, tiles[t], &image);
+    for (size_t t = first; t < last; ++t) render_tile(view, options.samples, tiles[t], &image, layers);
   });
   return image;
+}
+
+std::vector<Rgb> Raster::reflected_light(const Slab& slab, const Camera& camera, double time, uint32_t width,
+                                         uint32_t height) {
+  prepare_for(slab);
+  const FrameLight light(slab, *reconstruction_, *joints_, time, time, {true, false});
+  const CameraRays rays(camera_at(camera, time), width, height);
+  const Instant instant = instant_at(scene_, time);
+  std::vector<Rgb> seen;
+  for (uint32_t y = 0; y < height; ++y) {
+    for (uint32_t x = 0; x < width; ++x) {
+      const Sight sight = surfaces_.look(instant, rays.from(), rays.direction(x + 0.5, y + 0.5));
+      if (sight.point.polygon == kNone || !is_black(sight.emission)) continue;
+      uint32_t leaf = kNone;
+      const Rgb irradiance = light.irradiance(sight.point.polygon, sight.front, sight.at, &leaf);
+      seen.push_back(static_cast<float>(1 / kPi) * sight.reflectance * irradiance);
+    }
+  }
+  return seen;
 }
 
 }  // namespace strad

@@ -8,6 +8,7 @@
 #include "frame/frame_light.h"
 #include "frame/lit_groups.h"
 #include "frame/surfaces.h"
+#include "frame/tile.h"
 #include "image/image.h"
 #include "light/tracer.h"
 #include "scene/scene.h"
@@ -41,16 +42,26 @@ class Raster {
   // Radiance, linear. REQUIRES: `slab` holds `time`, with the pieces of parts_for(options) to the end of the
   // shutter or of the slab. The picture is the same for any number of threads and whatever was rendered
   // before.
-  Image render(const Slab& slab, const Camera& camera, double time, const RasterOptions& options);
+  // `layers` takes its light by origin, unless it is null.
+  Image render(const Slab& slab, const Camera& camera, double time, const RasterOptions& options,
+               LightLayers* layers = nullptr);
+
+  const Surfaces& surfaces() const { return surfaces_; }
+
+  // Radiance that surfaces reflect in the middles of the pixels, from the solution alone, of those pixels
+  // that show a surface which does not emit. REQUIRES: `slab` holds `time`, with all pieces.
+  std::vector<Rgb> reflected_light(const Slab& slab, const Camera& camera, double time, uint32_t width,
+                                   uint32_t height);
 
  private:
-  const Reconstruction& reconstruction_for(const Slab& slab);
+  void prepare_for(const Slab& slab);
 
   const Scene& scene_;
   Tracer tracer_;
   Surfaces surfaces_;
   std::vector<EmitterGroup> groups_;
   std::unique_ptr<Reconstruction> reconstruction_;  // of the last slab
+  std::unique_ptr<SmoothJoints> joints_;            // likewise
   const Slab* reconstructed_ = nullptr;
   double reconstructed_begin_ = 0;
 };

@@ -28,12 +28,14 @@ class Reconstruction {
   // The leaf's mean: the elements as they are.
   Rgb flat(const std::vector<Rgb>& vertex_values, uint32_t face, Vec2 uv, uint32_t* leaf) const;
 
+  // The vertex in the middle of the edge between two, kNone if it has none.
+  uint32_t middle_of(uint32_t a, uint32_t b) const;
+
   // Where `smooth` and `flat` take their values from; a vertex may be there twice.
   std::vector<VertexWeight> smooth_sources(uint32_t face, Vec2 uv) const;
   std::vector<VertexWeight> flat_sources(uint32_t face, Vec2 uv) const;
 
  private:
-  uint32_t middle_of(uint32_t a, uint32_t b) const;
   // Calls add(vertex, weight).
   template <typename Add>
   void visit(uint32_t face, Vec2 uv, const Add& add) const;

@@ -38,24 +38,28 @@ Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPo
   std::fill(shares, shares + view.group_count, GroupShare{});
   const LightsAtInstant& lights = view.instants[instant];
   Sample sample;
-  sample.point = sight.point;
+  sample.point = sight.smooth;
   sample.front = sight.front;
-  sample.base = sight.emission;
+  sample.base = {sight.emission, {}, sight.emission};
   if (sight.point.polygon == kNone || is_black(sight.reflectance)) return sample;
   Rgb irradiance = view.light.irradiance(sight.point.polygon, sight.front, sight.at, &sample.leaf);
+  sample.base.indirect = reflected(
+      sight, view.indirect
+                 ? view.indirect->irradiance(sight.point.polygon, sight.front, sight.at, &sample.leaf)
+                 : irradiance);
   SpotRays spot_rays;
   if (view.trace_direct)
-    irradiance += spots_irradiance(view.tracer, lights.cones, lights.instant, sight.point, &spot_rays);
+    irradiance += spots_irradiance(view.tracer, lights.cones, lights.instant, sight.smooth, &spot_rays);
   sample.spots = spot_rays.reached;
-  sample.base += reflected(sight, irradiance);
+  sample.base.all += reflected(sight, irradiance);
   thread_local GroupSight seen;
   for (size_t l = 0; l < view.group_count; ++l) {
     const LitGroup& group = lights.groups[l];
     if (is_black(group.radiance)) continue;
-    see_group(group, sight.point, &seen);
-    shares[l].irradiance = unoccluded_irradiance(group, sight.point, seen);
+    see_group(group, sight.smooth, &seen);
+    shares[l].irradiance = unoccluded_irradiance(group, sight.smooth, seen);
     shares[l].radiance = static_cast<float>(shares[l].irradiance) * reflected(sight, group.radiance);
-    add_shadow_rays(view.tracer, lights.instant, group, sight.point, shares[l].irradiance, points, &seen,
+    add_shadow_rays(view.tracer, lights.instant, group, sight.smooth, shares[l].irradiance, points, &seen,
                     &shares[l].shadow);
   }
   return sample;
@@ -70,9 +74,10 @@ void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample
                   &seen, &share->shadow);
 }
 
-Rgb radiance(const FrameView& view, const Sample& sample, const GroupShare* shares) {
-  Rgb sum = sample.base;
-  for (size_t l = 0; l < view.group_count; ++l) sum += free_fraction(shares[l].shadow) * shares[l].radiance;
+Light light_of(const FrameView& view, const Sample& sample, const GroupShare* shares) {
+  Light sum = sample.base;
+  for (size_t l = 0; l < view.group_count; ++l)
+    sum.all += free_fraction(shares[l].shadow) * shares[l].radiance;
   return sum;
 }
 

@@ -13,6 +13,15 @@
 
 namespace strad {
 
+// Radiance, and what of it is indirect and emitted. The rest is direct.
+struct Light {
+  Rgb all, indirect, emission;
+};
+inline Light operator+(const Light& a, const Light& b) {
+  return {a.all + b.all, a.indirect + b.indirect, a.emission + b.emission};
+}
+inline Light operator*(float s, const Light& a) { return {s * a.all, s * a.indirect, s * a.emission}; }
+
 // All that the samples of one frame share.
 struct FrameView {
   const Scene& scene;
@@ -23,6 +32,7 @@ struct FrameView {
   std::vector<LightsAtInstant> instants;  // of the exposure, evenly spread; one where the shutter is not open
   size_t group_count = 0;                 // 0 also where direct light comes from the mesh
   bool trace_direct = true;
+  const FrameLight* indirect = nullptr;  // alone, where `light` has direct light too and somebody asks
   uint32_t lamp_samples = 32;  // shadow rays of a corner to each emitter group in whose penumbra it lies
 };
 
@@ -38,7 +48,7 @@ struct Sample {
   bool front = true;
   uint32_t leaf = kNone;  // of the mesh, where elements show
   uint64_t spots = 0;     // which of them reach the point
-  Rgb base;               // radiance of all but emitter groups
+  Light base;             // of all but emitter groups
 };
 
 // What is seen through (x, y), pixels, at an instant.
@@ -56,8 +66,8 @@ Sample take_sample(const FrameView& view, size_t instant, double x, double y, Sh
 void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t group,
                      ShadowPoints points, GroupShare* share);
 
-// Radiance of a sample, all light together.
-Rgb radiance(const FrameView& view, const Sample& sample, const GroupShare* shares);
+// Radiance of a sample, emitter groups included.
+Light light_of(const FrameView& view, const Sample& sample, const GroupShare* shares);
 
 // Do both lie on one smooth surface, on the same side?
 bool on_one_surface(const FrameView& view, const Sample& a, const Sample& b);

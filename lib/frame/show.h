@@ -15,6 +15,12 @@ namespace strad {
 
 enum class ShowWhat : uint8_t { kElements, kError, kOpenness };
 
+// elements, error or openness. REQUIRES: one of these.
+inline ShowWhat show_named(const std::string& word) {
+  if (word == "elements") return ShowWhat::kElements;
+  return word == "error" ? ShowWhat::kError : ShowWhat::kOpenness;
+}
+
 struct ShowOptions {
   ShowWhat what = ShowWhat::kElements;
   uint32_t width = 640, height = 480;  // pixels

@@ -1,5 +1,6 @@
 #include "frame/surfaces.h"
 
+#include "scene/polygon_geometry.h"
 #include "scene/texture.h"
 #include "solution/mesh.h"
 
@@ -26,6 +27,25 @@ Surfaces::Plane Surfaces::plane_of(const Scene& scene, const Polygon& polygon) {
   return plane;
 }
 
+// Where shadow rays of a facet start decides where its shadows end. From the facet itself, facets around it
+// that are turned away from a light would hide it in part, in steps, where the smooth surface still faces it
+// ("shadow terminator"). So rays start from where the planes of tangents at the corners say that the surface
+// is (Hanika, "Hacking the shadow terminator", Ray Tracing Gems II, 2021, chapter 4).
+SurfacePoint Surfaces::smooth_point(const Polygon& polygon, const Sight& sight, const Pose& pose,
+                                    Vec3 rest_point) const {
+  const CornerWeights weights = corner_weights(polygon, sight.at);
+  Vec3 normal, lifted = rest_point;
+  for (int c = 0; c < polygon.corner_count(); ++c) {
+    const Vec3 at_corner =
+        sight.front ? scene_.normals[polygon.normals[c]] : -scene_.normals[polygon.normals[c]];
+    normal = normal + weights.of[c] * at_corner;
+    const double below = dot(rest_point - scene_.vertices[polygon.corners[c]], at_corner);
+    if (below < 0) lifted = lifted - weights.of[c] * below * at_corner;
+  }
+  if (!(length(normal) > 1e-6)) return sight.point;
+  return {pose * lifted, rotate(pose, normalized(normal)), sight.point.polygon};
+}
+
 Sight Surfaces::at(const Instant& instant, uint32_t p, bool front, Vec3 rest_point) const {
   const Polygon& polygon = scene_.polygons[p];
   const Material& material = scene_.materials[polygon.material];
@@ -37,6 +57,7 @@ Sight Surfaces::at(const Instant& instant, uint32_t p, bool front, Vec3 rest_poi
   const Vec3 from_origin = rest_point - plane.origin;
   sight.at = plane.affine ? Vec2{dot(from_origin, plane.to_u), dot(from_origin, plane.to_v)}
                           : parametric_of(scene_, polygon, rest_point);
+  sight.smooth = polygon.is_smooth() ? smooth_point(polygon, sight, pose, rest_point) : sight.point;
   sight.reflectance = material.reflectance;
   if (has_texture(scene_, polygon)) {
     const Vec2 uv = texture_uv(scene_, polygon, sight.at);

@@ -11,6 +11,9 @@ namespace strad {
 
 struct Sight {
   SurfacePoint point;  // polygon kNone: the ray left the scene
+  // Where a facet of a smooth surface takes its direct light from: with the surface's normal, and lifted onto
+  // it, so that facets beside it cast no shadows. On other polygons the same as `point`.
+  SurfacePoint smooth;
   bool front = true;
   Vec2 at;  // parametric, on the polygon
   Rgb reflectance;
@@ -35,6 +38,8 @@ class Surfaces {
     bool affine = false;
   };
   static Plane plane_of(const Scene& scene, const Polygon& polygon);
+  SurfacePoint smooth_point(const Polygon& polygon, const Sight& sight, const Pose& pose,
+                            Vec3 rest_point) const;
 
   const Scene& scene_;
   const Tracer& tracer_;

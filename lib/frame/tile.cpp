@@ -37,12 +37,12 @@ class SeenSides {
   void clear() { sides_.clear(); }
   // `even`: the point has no texture and is not in the penumbra of an emitter group.
   void add(const Sample& sample, bool even) { noted(sample, even); }
-  void add(const Sample& sample, bool even, Rgb radiance) {
+  void add(const Sample& sample, bool even, const Light& light) {
     Side& side = noted(sample, even);
-    side.sum += radiance;
+    side.sum = side.sum + light;
     ++side.count;
   }
-  std::optional<Rgb> mean(uint32_t polygon, bool front) {
+  std::optional<Light> mean(uint32_t polygon, bool front) {
     const Side& side = side_of(polygon, front);
     if (!side.even || side.count < kKnownAfter) return std::nullopt;
     return (1 / static_cast<float>(side.count)) * side.sum;
@@ -55,7 +55,7 @@ class SeenSides {
     bool known = false, even = false;
     uint64_t spots = 0;
     uint32_t count = 0;
-    Rgb sum;
+    Light sum;
   };
   Side& noted(const Sample& sample, bool even) {
     Side& side = side_of(sample.point.polygon, sample.front);
@@ -75,20 +75,20 @@ class SeenSides {
 
 // The sum of a pixel's samples.
 struct PixelSum {
-  Rgb sum;
+  Light sum;
   float luminance_squares = 0;
   uint32_t count = 0;
   uint32_t shadow_points = 0;  // of each emitter group, used so far
 
-  void add(Rgb radiance) {
-    sum += radiance;
-    luminance_squares += luminance(radiance) * luminance(radiance);
+  void add(const Light& light) {
+    sum = sum + light;
+    luminance_squares += luminance(light.all) * luminance(light.all);
     ++count;
   }
-  Rgb mean() const { return (1 / static_cast<float>(count)) * sum; }
+  Light mean() const { return (1 / static_cast<float>(count)) * sum; }
   // Standard deviation of luminance, relative to its mean.
   float deviation() const {
-    const float middle = luminance(mean());
+    const float middle = luminance(mean().all);
     const float variance = luminance_squares / static_cast<float>(count) - middle * middle;
     return middle > 0 ? std::sqrt(std::max(0.0f, variance)) / middle : 0;
   }
@@ -110,22 +110,25 @@ class PixelRenderer {
   PixelRenderer(const FrameView& view, int samples, const std::optional<Corners>& corners)
       : view_(view), samples_(static_cast<uint32_t>(samples)), corners_(corners), shares_(view.group_count) {}
 
-  Rgb pixel(int x, int y) {
+  Light pixel(int x, int y) {
     if (samples_ == 1) return middle(x, y);
     if (corners_ && corners_->surround_one_surface(x, y) && !corners_->shadow_edge(x, y)) {
-      if (const std::optional<Rgb> base = smooth_base(x, y)) return *base + corners_->emitted_light(x, y);
+      if (std::optional<Light> light = smooth_base(x, y)) {
+        light->all += corners_->emitted_light(x, y);
+        return *light;
+      }
     }
     return inside(x, y);
   }
 
  private:
-  std::optional<Rgb> smooth_base(int x, int y);
+  std::optional<Light> smooth_base(int x, int y);
   bool is_even(const Sample& sample, const GroupShare* shares) const {
     return evenly_lit(view_, shares) && !textured(view_, sample);
   }
   void sample_inside(int x, int y, uint32_t count, uint32_t rays, PixelSum* sum);
-  Rgb inside(int x, int y);
-  Rgb middle(int x, int y);
+  Light inside(int x, int y);
+  Light middle(int x, int y);
 
   const FrameView& view_;
   const uint32_t samples_;
@@ -136,22 +139,24 @@ class PixelRenderer {
 
 // The mean radiance, without that from emitter groups, of a pixel whose corners see one smooth surface.
 // Nothing if its corners and its middle are not enough to find it.
-std::optional<Rgb> PixelRenderer::smooth_base(int x, int y) {
-  Rgb low = corners_->sample(x, y).base, high = low, sum;
+std::optional<Light> PixelRenderer::smooth_base(int x, int y) {
+  Rgb low = corners_->sample(x, y).base.all, high = low;
+  Light sum;
   for (int k = 0; k < 4; ++k) {
-    const Rgb base = corners_->sample(x + (k & 1), y + (k >> 1)).base;
-    for (int c = 0; c < 3; ++c) low[c] = std::min(low[c], base[c]), high[c] = std::max(high[c], base[c]);
-    sum += base;
+    const Light& base = corners_->sample(x + (k & 1), y + (k >> 1)).base;
+    for (int c = 0; c < 3; ++c)
+      low[c] = std::min(low[c], base.all[c]), high[c] = std::max(high[c], base.all[c]);
+    sum = sum + base;
   }
-  const Rgb of_corners = 0.25f * sum;
+  const Light of_corners = 0.25f * sum;
   const bool texture = textured(view_, corners_->sample(x, y));
   const float change = contrast(low, high);
   if (change <= (texture ? kTextureContrast : kEvenContrast)) return of_corners;
   if (texture) return std::nullopt;
   const Sample middle = take_sample(view_, 0, x + 0.5, y + 0.5, {}, shares_.data());
   if (!alike(view_, corners_->sample(x, y), middle)) return std::nullopt;
-  if (contrast(middle.base, of_corners) > kSmoothBend) return std::nullopt;
-  return (1 / 3.0f) * (of_corners + 2 * middle.base);  // exact for quadratic functions
+  if (contrast(middle.base.all, of_corners.all) > kSmoothBend) return std::nullopt;
+  return (1 / 3.0f) * (of_corners + 2.0f * middle.base);  // exact for quadratic functions
 }
 
 // Adds samples of a pixel until there are `count`, spread evenly over its area and the instants, each with
@@ -167,14 +172,14 @@ void PixelRenderer::sample_inside(int x, int y, uint32_t count, uint32_t rays, P
         std::min(instants - 1, static_cast<size_t>(moment * static_cast<double>(instants)));
     const Sight sight = look(view_, instant, x + at.u, y + at.v);
     if (corners_) {
-      if (const std::optional<Rgb> known = seen_.mean(sight.point.polygon, sight.front)) {
+      if (const std::optional<Light> known = seen_.mean(sight.point.polygon, sight.front)) {
         sum->add(*known);
         continue;
       }
     }
     const Sample sample = shade(view_, instant, sight, {sum->shadow_points, rays, seed}, shares_.data());
     sum->shadow_points += rays;
-    const Rgb value = radiance(view_, sample, shares_.data());
+    const Light value = light_of(view_, sample, shares_.data());
     sum->add(value);
     if (corners_) seen_.add(sample, is_even(sample, shares_.data()), value);
   }
@@ -182,7 +187,7 @@ void PixelRenderer::sample_inside(int x, int y, uint32_t count, uint32_t rays, P
 
 // The mean of samples within the pixel, as many as their deviation demands. The corners count for the
 // deviation of few samples, which may miss an edge.
-Rgb PixelRenderer::inside(int x, int y) {
+Light PixelRenderer::inside(int x, int y) {
   PixelSum sum;
   seen_.clear();
   for (int k = 0; k < 4 && corners_; ++k) {
@@ -198,7 +203,7 @@ Rgb PixelRenderer::inside(int x, int y) {
     if (corners_ && count < samples_) {
       for (int k = 0; k < 4; ++k) {
         const int u = x + (k & 1), v = y + (k >> 1);
-        seen.add(radiance(view_, corners_->sample(u, v), corners_->shares(u, v)));
+        seen.add(light_of(view_, corners_->sample(u, v), corners_->shares(u, v)));
       }
     }
     const float usual = static_cast<float>(count) / static_cast<float>(samples_);
@@ -209,7 +214,7 @@ Rgb PixelRenderer::inside(int x, int y) {
 }
 
 // A single sample in the middle, for previews.
-Rgb PixelRenderer::middle(int x, int y) {
+Light PixelRenderer::middle(int x, int y) {
   const size_t instant = view_.instants.size() / 2;
   const ShadowPoints all = corner_points(x, y, view_.lamp_samples);
   const ShadowPoints few{all.first, std::min(all.count, kRaysOfMiddle), all.scramble};
@@ -220,18 +225,28 @@ Rgb PixelRenderer::middle(int x, int y) {
     if (shadow.free > 0 && shadow.free < shadow.rays)
       add_shadow_rays(view_, instant, sample, l, others, &shares_[l]);
   }
-  return radiance(view_, sample, shares_.data());
+  return light_of(view_, sample, shares_.data());
+}
+
+// Rounding may take more from light than there is.
+Rgb without_negatives(Rgb light) {
+  return {std::max(light.r, 0.0f), std::max(light.g, 0.0f), std::max(light.b, 0.0f)};
 }
 
 }  // namespace
 
-void render_tile(const FrameView& view, int samples, TileRect rect, Image* image) {
+void render_tile(const FrameView& view, int samples, TileRect rect, Image* image, LightLayers* layers) {
   std::optional<Corners> corners;
   if (samples > 1 && view.instants.size() == 1) corners.emplace(view, rect);
   PixelRenderer renderer(view, samples, corners);
   for (uint32_t y = rect.top; y < rect.bottom; ++y) {
     for (uint32_t x = rect.left; x < rect.right; ++x) {
-      image->at(x, y) = renderer.pixel(static_cast<int>(x), static_cast<int>(y));
+      const Light light = renderer.pixel(static_cast<int>(x), static_cast<int>(y));
+      image->at(x, y) = light.all;
+      if (!layers) continue;
+      layers->indirect.at(x, y) = light.indirect;
+      layers->emission.at(x, y) = light.emission;
+      layers->direct.at(x, y) = without_negatives(light.all - light.indirect - light.emission);
     }
   }
 }

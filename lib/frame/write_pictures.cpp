@@ -3,6 +3,9 @@
 #include <functional>
 #include <optional>
 
+#include "frame/auto_exposure.h"
+#include "frame/frame_facts.h"
+#include "frame/layered_frame.h"
 #include "frame/reference.h"
 #include "image/files.h"
 #include "image/pnm.h"
@@ -12,45 +15,90 @@
 namespace strad {
 namespace {
 
-// Renders each frame, scales it by 2^exposure and writes it to its file or down a pipe.
+// Where pictures go: to files of their own or down a pipe.
+class PictureOutput {
+ public:
+  // Throws BadInput unless the names of the files of `frames` differ and say a format.
+  PictureOutput(const FrameRequest& request, const std::vector<FrameTime>& frames) : request_(request) {
+    if (goes_to_files(request)) {
+      pattern_ = output_pattern(request, frames.size());
+      require_image_format(pattern_->name(frames.front().number));
+    } else {
+      pipe_.emplace("-");
+    }
+  }
+  void write(int number, const Image& image, const PictureFacts& facts) {
+    if (pattern_) return save_image(pattern_->name(number), image, request_.encoding, facts);
+    pipe_->write(request_.pfm ? encode_pfm(image) : encode_ppm(image, request_.encoding));
+  }
+  void commit() {
+    if (pipe_) pipe_->commit();
+  }
+
+ private:
+  const FrameRequest& request_;
+  std::optional<FilePattern> pattern_;
+  std::optional<Output> pipe_;
+};
+
+// Renders each frame, scales it by 2^exposure and writes it.
 void write_each(const FrameRequest& request, const Scene& scene, TimeRange range, double exposure,
                 const Progress& progress, const std::function<Image(const Camera&, double time)>& render) {
   const std::vector<FrameTime> frames = requested_frames(request, scene, range);
   const Camera camera = requested_camera(request, scene);
-  std::optional<FilePattern> pattern;
-  std::optional<Output> pipe;
-  if (goes_to_files(request)) {
-    pattern = output_pattern(request, frames.size());
-    require_image_format(pattern->name(frames.front().number));
-  } else {
-    pipe.emplace("-");
-  }
+  PictureOutput output(request, frames);
   for (size_t i = 0; i < frames.size(); ++i) {
-    const auto [number, time] = frames[i];
-    report_frame(progress, i, frames.size(), number);
-    Image image = render(camera, time);
+    report_frame(progress, i, frames.size(), frames[i].number);
+    Image image = render(camera, frames[i].time);
     expose(&image, exposure);
-    if (pattern) {
-      save_image(pattern->name(number), image);
-    } else {
-      pipe->write(request.pfm ? encode_pfm(image) : encode_ppm(image));
-    }
+    output.write(frames[i].number, image, facts_of(request, scene, camera, frames[i], exposure));
   }
-  if (pipe) pipe->commit();
+  output.commit();
+}
+
+// The same in layers, which go to files.
+void write_each_layered(const FrameRequest& request, const Scene& scene, TimeRange range, double exposure,
+                        const Progress& progress,
+                        const std::function<LayeredImage(const Camera&, double time)>& render) {
+  const std::vector<FrameTime> frames = requested_frames(request, scene, range);
+  const Camera camera = requested_camera(request, scene);
+  const FilePattern pattern = output_pattern(request, frames.size());
+  require_image_format(pattern.name(frames.front().number));
+  for (size_t i = 0; i < frames.size(); ++i) {
+    report_frame(progress, i, frames.size(), frames[i].number);
+    save_layered_frame(pattern.name(frames[i].number), render(camera, frames[i].time), request.layers,
+                       request.encoding, facts_of(request, scene, camera, frames[i], exposure));
+  }
 }
 
 }  // namespace
 
-void write_pictures(const FrameRequest& request, const Progress& progress) {
+double write_pictures(const FrameRequest& request, const Progress& progress) {
   SolutionFile file(request.stream);
   RasterOptions options = request.raster;
   options.shutter = request.shutter / file.scene().rate;
   Raster raster(file.scene());
-  write_each(request, file.scene(), {file.begin(), file.end()}, request.exposure, progress,
-             [&](const Camera& camera, double time) {
-               const Slab& slab = file.slab_for(time, time + options.shutter, parts_for(options));
-               return raster.render(slab, camera, time, options);
-             });
+  double exposure = request.exposure;
+  if (request.auto_exposure) {
+    const Camera camera = requested_camera(request, file.scene());
+    exposure = exposure_for(&file, &raster, camera, options, request.encoding);
+  }
+  const TimeRange range{file.begin(), file.end()};
+  const auto slab_for = [&](double time) -> const Slab& {
+    return file.slab_for(time, time + options.shutter, parts_for(options));
+  };
+  if (!request.layers.empty()) {
+    write_each_layered(request, file.scene(), range, exposure, progress,
+                       [&](const Camera& camera, double time) {
+                         return render_layers(&raster, file.scene(), slab_for(time), camera, time, options,
+                                              exposure, request.layers);
+                       });
+    return exposure;
+  }
+  write_each(request, file.scene(), range, exposure, progress, [&](const Camera& camera, double time) {
+    return raster.render(slab_for(time), camera, time, options);
+  });
+  return exposure;
 }
 
 void write_references(const FrameRequest& request, const Progress& progress) {

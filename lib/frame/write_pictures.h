@@ -6,8 +6,8 @@
 
 namespace strad {
 
-// Throws BadInput or IoError; a file is complete or absent.
-void write_pictures(const FrameRequest& request, const Progress& progress);
+// Returns the exposure in stops. Throws BadInput or IoError; a file is complete or absent.
+double write_pictures(const FrameRequest& request, const Progress& progress);
 // The same for reference frames, which need no solution.
 void write_references(const FrameRequest& request, const Progress& progress);
 // The same for what request.show asks for.

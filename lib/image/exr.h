@@ -3,11 +3,15 @@
 
 #include <string>
 
-#include "image/image.h"
+#include "image/encoding.h"
+#include "image/layers.h"
+#include "image/picture_facts.h"
 
 namespace strad {
 
-// The bytes of the file: half floats, ZIP compression. Throws IoError.
-std::string encode_exr(const Image& image);
+// The bytes of the file: one part with the channels of all layers, ZIP compression. Half floats are those
+// nearest to the samples, at most the largest half. Attributes tell the facts, under the names that OpenEXR
+// has for them. Throws IoError. REQUIRES: a depth that EXR has.
+std::string encode_exr(const LayeredImage& image, Depth depth, const PictureFacts& facts);
 
 }  // namespace strad

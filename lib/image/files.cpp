@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 
@@ -41,15 +42,6 @@ const ImageModule& module() {
   return *loaded;
 }
 
-// "exr" of "a/b.EXR"; empty if there is none.
-std::string format_of(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  if (!extension.empty()) extension.erase(0, 1);
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
-
 bool is_pnm_format(const std::string& format) { return format == "ppm" || format == "pfm"; }
 
 // Formats that are written without the module.
@@ -79,19 +71,56 @@ void require_regular_file(const std::string& path) {
     throw BadInput(path + ": is no plain file, expected a picture");
 }
 
-// The bytes of a picture file. Throws IoError without the file's name.
-std::string encode_image(const std::string& format, const Image& image) {
-  if (format == "ppm") return encode_ppm(image);
-  if (format == "pfm") return encode_pfm(image);
-  if (format == "exr") return encode_exr(image);
-  if (format == "png") return encode_png(image);
-  std::string bytes;
-  const std::string fault = module().encode(format, image, &bytes);
+// The module puts light on the sRGB curve; numbers that are to be in proportion to light pass it unchanged.
+std::string encode_by_module(const std::string& format, const Image& image, const Encoding& encoding) {
+  std::string bytes, fault;
+  const bool eight = encoding.depth == Depth::kByte;
+  if (is_float(encoding.depth)) {
+    fault = module().encode(format, eight, image, &bytes);
+  } else {
+    Image shown = shown_light(image, encoding);
+    if (encoding.tone == ToneCurve::kLinear) {
+      for (Rgb& pixel : shown.pixels)
+        for (int c = 0; c < 3; ++c) pixel[c] = linear_from_srgb(pixel[c]);
+    }
+    fault = module().encode(format, eight, shown, &bytes);
+  }
   if (!fault.empty()) throw IoError(fault);
   return bytes;
 }
 
+// The bytes of a picture file. Throws IoError without the file's name.
+std::string encode_image(const std::string& format, const Image& image, const Encoding& encoding,
+                         const PictureFacts& facts) {
+  if (format == "ppm") return encode_ppm(image, encoding);
+  if (format == "pfm") return encode_pfm(image);
+  if (format == "png") return encode_png(image, encoding, facts);
+  if (format == "exr")
+    return encode_exr({image.width, image.height, {layer_of(image, "")}, {}}, encoding.depth, facts);
+  return encode_by_module(format, image, encoding);
+}
+
+void write_whole(const std::string& path, const std::function<std::string()>& encode) {
+  Output output(path);
+  std::string bytes;
+  try {
+    bytes = encode();
+  } catch (const IoError& error) {
+    throw IoError(path + ": " + error.what());
+  }
+  output.write(bytes);
+  output.commit();
+}
+
 }  // namespace
+
+std::string format_of(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
 
 Image load_image(const std::string& path) {
   if (path == "-") return decode_pnm(read_file(path), "standard input");
@@ -126,17 +155,17 @@ void require_image_format(const std::string& path) {
                  "', expected one of a picture format, such as exr, png, ppm, pfm");
 }
 
-void save_image(const std::string& path, const Image& image) {
+void save_layers(const std::string& path, const LayeredImage& image, Depth depth, const PictureFacts& facts) {
+  write_whole(path, [&] { return encode_exr(image, depth, facts); });
+}
+
+void save_image(const std::string& path, const Image& image, const Encoding& encoding,
+                const PictureFacts& facts) {
   require_image_format(path);
-  Output output(path);
-  std::string bytes;
-  try {
-    bytes = encode_image(format_of(path), image);
-  } catch (const IoError& error) {
-    throw IoError(path + ": " + error.what());
-  }
-  output.write(bytes);
-  output.commit();
+  const std::string format = format_of(path);
+  Encoding known = encoding;
+  if (known.depth == Depth::kUsual) known.depth = depths_of(format).front();
+  write_whole(path, [&] { return encode_image(format, image, known, facts); });
 }
 
 }  // namespace strad

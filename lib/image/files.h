@@ -5,7 +5,10 @@
 
 #include <string>
 
+#include "image/encoding.h"
 #include "image/image.h"
+#include "image/layers.h"
+#include "image/picture_facts.h"
 
 namespace strad {
 
@@ -17,13 +20,20 @@ Image load_image(const std::string& path);
 // The same as 8-bit sRGB. The bytes of an 8-bit file are kept as they are.
 SrgbImage load_srgb_image(const std::string& path);
 
-// The extension names the format. EXR: half floats, those above the largest half clamped to it, equal pixels
-// giving equal bytes. Integer formats are on the sRGB curve: 16 bits in TIFF, 8 elsewhere. The file is
-// complete or absent (stream/output_file.h).
-void save_image(const std::string& path, const Image& image);
+// The extension names the format. EXR: half floats unless floats are asked for, those above the largest half
+// clamped to it. Equal pixels and facts give equal bytes; only EXR and PNG hold facts. The file is complete
+// or absent (stream/output_file.h). REQUIRES: a depth that the format has.
+void save_image(const std::string& path, const Image& image, const Encoding& encoding = {},
+                const PictureFacts& facts = {});
+
+// The same for an EXR file of several layers.
+void save_layers(const std::string& path, const LayeredImage& image, Depth depth, const PictureFacts& facts);
 
 // Throws BadInput unless `save_image` knows the format of `path`. For tools that compute for long before they
 // save.
 void require_image_format(const std::string& path);
+
+// The extension of `path` in lower case, without its dot: "exr".
+std::string format_of(const std::string& path);
 
 }  // namespace strad

@@ -102,12 +102,18 @@ void read_pfm_pixels(std::string_view data, float scale, bool grey, const std::s
 
 }  // namespace
 
-std::string encode_ppm(const Image& image) {
-  std::string bytes = header("P6", image, "255");
-  bytes.reserve(bytes.size() + 3 * image.pixels.size());
-  for (const Rgb& pixel : image.pixels)
-    for (int channel = 0; channel < 3; ++channel)
-      bytes.push_back(static_cast<char>(srgb_byte(pixel[channel])));
+std::string encode_ppm(const Image& image, const Encoding& encoding) {
+  const bool words = encoding.depth == Depth::kWord;
+  std::string bytes = header("P6", image, words ? "65535" : "255");
+  bytes.reserve(bytes.size() + (words ? 6 : 3) * image.pixels.size());
+  if (words) {
+    for (const uint16_t word : words_of(image, encoding)) {
+      bytes.push_back(static_cast<char>(word >> 8));
+      bytes.push_back(static_cast<char>(word & 255));
+    }
+  } else {
+    for (const uint8_t byte : bytes_of(image, encoding)) bytes.push_back(static_cast<char>(byte));
+  }
   return bytes;
 }
 

@@ -40,6 +40,7 @@ struct Turned {
 
 void turn_scene(Scene* scene, const Turned& turned) {
   for (Vec3& vertex : scene->vertices) vertex = turned.point(vertex);
+  for (Vec3& normal : scene->normals) normal = turned.direction(normal);
   for (Body& body : scene->bodies) {
     body.pivot = turned.point(body.pivot);
     body.axis = turned.direction(body.axis);
@@ -89,19 +90,22 @@ class Compaction {
 };
 
 void drop_unused_points(Scene* scene) {
-  Compaction vertices(scene->vertices.size()), uvs(scene->uvs.size());
+  Compaction vertices(scene->vertices.size()), uvs(scene->uvs.size()), normals(scene->normals.size());
   for (const Polygon& polygon : scene->polygons) {
     for (int k = 0; k < 4; ++k) {
       vertices.use(polygon.corners[k]);
       uvs.use(polygon.uvs[k]);
+      normals.use(polygon.normals[k]);
     }
   }
   vertices.apply(&scene->vertices);
   uvs.apply(&scene->uvs);
+  normals.apply(&scene->normals);
   for (Polygon& polygon : scene->polygons) {
     for (int k = 0; k < 4; ++k) {
       polygon.corners[k] = vertices.renumbered(polygon.corners[k]);
       polygon.uvs[k] = uvs.renumbered(polygon.uvs[k]);
+      polygon.normals[k] = normals.renumbered(polygon.normals[k]);
     }
   }
 }

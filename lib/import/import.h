@@ -19,7 +19,9 @@ struct ImportOptions : SkipOptions {
   double scale = 1;  // metres per unit of the file, > 0
   char up = 'y';     // the file's upward axis, 'y' or 'z'; the scene is turned so that y is up
   std::vector<MaterialLight> lights;  // replace the file's emission; later ones win
-  int tessellate = 16;                // sides of a POV-Ray sphere, cylinder, cone or disc, >= 3
+  double smooth =
+      0;  // degrees: faces without normals and groups that meet at up to it are one smooth surface
+  int tessellate = 16;  // sides of a POV-Ray sphere, cylinder, cone or disc, >= 3
 };
 
 // Must be below 1: light between surfaces that reflect all of it never fades.

@@ -17,4 +17,15 @@ double area_of(const Vec3* corners, int count);
 Vec2 parametric_of(const Scene& scene, const Polygon& polygon, Vec3 rest_point);
 Vec3 point_of(const Scene& scene, const Polygon& polygon, Vec2 uv);
 
+// Weights of the corners at a parametric position: what is linear or bilinear on the polygon is their sum of
+// the values at the corners. The last is 0 for a triangle.
+struct CornerWeights {
+  double of[4];
+};
+inline CornerWeights corner_weights(const Polygon& polygon, Vec2 at) {
+  const double u = at.x, v = at.y;
+  if (polygon.corner_count() == 3) return {{1 - u - v, u, v, 0}};
+  return {{(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v}};
+}
+
 }  // namespace strad

@@ -17,6 +17,7 @@ struct Texture {
   std::string name;  // as the MTL file spells it
   uint32_t width = 0, height = 0;
   std::vector<uint8_t> srgb;  // width * height * 3
+  bool clamp = false;         // outside of 0..1 its edge goes on; else it repeats
 };
 
 struct Material {
@@ -38,7 +39,10 @@ struct Polygon {
   uint32_t uvs[4] = {kNone, kNone, kNone, kNone};      // texture coordinates, kNone where there are none
   uint32_t material = 0;
   uint32_t object = 0;
+  // Of a smooth surface that the polygon is a facet of, at all its corners; kNone at all of a flat one.
+  uint32_t normals[4] = {kNone, kNone, kNone, kNone};
   int corner_count() const { return corners[3] == kNone ? 3 : 4; }
+  bool is_smooth() const { return normals[0] != kNone; }
 };
 
 enum class Ease : uint8_t { kLinear = 0, kSmooth = 1 };
@@ -103,6 +107,7 @@ struct Camera {
 struct Scene {
   std::vector<Vec3> vertices;  // rest, world, m (stored as float)
   std::vector<Vec2> uvs;
+  std::vector<Vec3> normals;  // of smooth surfaces, rest, unit, on the side of the polygon's front
   std::vector<Polygon> polygons;
   std::vector<Object> objects;
   std::vector<Material> materials;

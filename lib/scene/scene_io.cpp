@@ -17,6 +17,7 @@ constexpr ChunkType kPolygons = chunk_type("POLY");
 constexpr ChunkType kObjects = chunk_type("OBJS");
 constexpr ChunkType kMaterials = chunk_type("MATL");
 constexpr ChunkType kTexture = chunk_type("TEXR");
+constexpr ChunkType kTextureModes = chunk_type("TEXM");
 constexpr ChunkType kMotion = chunk_type("MOTN");
 
 // Differences of the bits of successive floats: neighbours in a file are mostly neighbours in space, and then
@@ -167,6 +168,18 @@ Texture get_texture(ByteReader* from) {
   return texture;
 }
 
+// Frozen numbers: 0 repeats, 1 is clamped.
+void put_texture_modes(Bytes* to, const std::vector<Texture>& textures) {
+  put_varint(to, textures.size());
+  for (const Texture& texture : textures) put_varint(to, texture.clamp ? 1 : 0);
+}
+
+std::vector<bool> get_texture_modes(ByteReader* from) {
+  std::vector<bool> clamps(from->count(1, "textures"));
+  for (size_t i = 0; i < clamps.size(); ++i) clamps[i] = from->number(1, "a mode of a texture") == 1;
+  return clamps;
+}
+
 void put_lines(Bytes* to, const std::vector<std::string>& lines) {
   put_varint(to, lines.size());
   for (const std::string& line : lines) put_text(to, line);
@@ -178,19 +191,22 @@ std::vector<std::string> get_lines(ByteReader* from) {
   return lines;
 }
 
-void decode(ChunkType type, ByteReader* from, Scene* scene) {
+void decode(ChunkType type, ByteReader* from, Scene* scene, std::vector<bool>* clamps,
+            StoredNormals* normals) {
   if (type == kProvenance) scene->provenance = get_lines(from);
   if (type == kVertices) scene->vertices = get_points<Vec3>(from, {&Vec3::x, &Vec3::y, &Vec3::z});
   if (type == kTextureCoordinates) scene->uvs = get_points<Vec2>(from, {&Vec2::x, &Vec2::y});
   if (type == kPolygons) scene->polygons = get_polygons(from);
+  if (type == kNormalsChunk) *normals = get_normals(from);
   if (type == kObjects) scene->objects = get_objects(from);
   if (type == kMaterials) scene->materials = get_materials(from);
   if (type == kTexture) scene->textures.push_back(get_texture(from));
+  if (type == kTextureModes) *clamps = get_texture_modes(from);
   if (type == kMotion) get_motion(from, scene);
 }
 
 constexpr ChunkType kRequired[] = {kVertices, kPolygons, kObjects, kMaterials, kMotion};
-constexpr ChunkType kOptional[] = {kProvenance, kTextureCoordinates, kTexture};
+constexpr ChunkType kOptional[] = {kProvenance, kTextureCoordinates, kTexture, kTextureModes, kNormalsChunk};
 
 bool contains(std::span<const ChunkType> types, ChunkType type) {
   return std::find(types.begin(), types.end(), type) != types.end();
@@ -208,9 +224,13 @@ std::vector<Chunk> encode_scene(const Scene& scene) {
   put_points(add(kVertices), scene.vertices, {&Vec3::x, &Vec3::y, &Vec3::z});
   if (!scene.uvs.empty()) put_points(add(kTextureCoordinates), scene.uvs, {&Vec2::x, &Vec2::y});
   put_polygons(add(kPolygons), scene.polygons);
+  if (!scene.normals.empty()) put_normals(add(kNormalsChunk), scene);
   put_objects(add(kObjects), scene.objects);
   put_materials(add(kMaterials), scene.materials);
   for (const Texture& texture : scene.textures) put_texture(add(kTexture), texture);
+  const bool any_clamp =
+      std::any_of(scene.textures.begin(), scene.textures.end(), [](const Texture& t) { return t.clamp; });
+  if (any_clamp) put_texture_modes(add(kTextureModes), scene.textures);
   put_motion(add(kMotion), scene);
   return chunks;
 }
@@ -222,7 +242,7 @@ bool SceneDecoder::add(ChunkType type, ByteSpan content, const std::string& plac
   if (type != kTexture && contains(seen_, type)) throw BadInput(place + ": there is one already");
   seen_.push_back(type);
   ByteReader from(content, place);
-  decode(type, &from, &scene_);
+  decode(type, &from, &scene_, &clamps_, &normals_);
   from.finish();
   return true;
 }
@@ -230,6 +250,11 @@ bool SceneDecoder::add(ChunkType type, ByteSpan content, const std::string& plac
 Scene SceneDecoder::finish(const std::string& place) {
   for (const ChunkType type : kRequired)
     if (!contains(seen_, type)) throw BadInput(place + ": the scene has no chunk " + name_of(type));
+  if (contains(seen_, kTextureModes) && clamps_.size() != scene_.textures.size())
+    throw BadInput(place + ": found modes of " + std::to_string(clamps_.size()) + " textures, expected " +
+                   std::to_string(scene_.textures.size()));
+  for (size_t i = 0; i < clamps_.size(); ++i) scene_.textures[i].clamp = clamps_[i];
+  if (contains(seen_, kNormalsChunk)) apply_normals(std::move(normals_), place, &scene_);
   try {
     validate(scene_);
   } catch (const BadInput& fault) {

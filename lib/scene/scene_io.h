@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "scene/normals_io.h"
 #include "scene/scene.h"
 #include "stream/reader.h"
 #include "stream/writer.h"
@@ -25,6 +26,8 @@ class SceneDecoder {
  private:
   Scene scene_;
   std::vector<ChunkType> seen_;
+  std::vector<bool> clamps_;  // of the textures
+  StoredNormals normals_;
 };
 
 }  // namespace strad

@@ -25,12 +25,17 @@ Rgb texel(const Texture& texture, uint32_t column, uint32_t row) {
   return {linear[srgb[0]], linear[srgb[1]], linear[srgb[2]]};
 }
 
-// The two texels that a coordinate lies between, and the fraction of the way. The texture repeats.
+// The two texels that a coordinate lies between, and the fraction of the way.
 struct Between {
   uint32_t low, high;
   float part;
 };
-Between between(double coordinate, uint32_t count) {
+Between between(double coordinate, uint32_t count, bool clamp) {
+  if (clamp) {
+    const double inside = std::clamp(coordinate, 0.0, count - 1.0);
+    const auto low = static_cast<uint32_t>(inside);
+    return {low, std::min(low + 1, count - 1), static_cast<float>(inside - low)};
+  }
   const double wrapped = coordinate - std::floor(coordinate / count) * count;
   const double below = std::floor(wrapped);
   const uint32_t low = static_cast<uint32_t>(below) % count;
@@ -41,8 +46,8 @@ Between between(double coordinate, uint32_t count) {
 
 Rgb texture_colour(const Texture& texture, Vec2 uv) {
   if (!std::isfinite(uv.x) || !std::isfinite(uv.y) || texture.width == 0 || texture.height == 0) return {};
-  const Between x = between(uv.x * texture.width - 0.5, texture.width);
-  const Between y = between((1 - uv.y) * texture.height - 0.5, texture.height);
+  const Between x = between(uv.x * texture.width - 0.5, texture.width, texture.clamp);
+  const Between y = between((1 - uv.y) * texture.height - 0.5, texture.height, texture.clamp);
   const Rgb upper = (1 - x.part) * texel(texture, x.low, y.low) + x.part * texel(texture, x.high, y.low);
   const Rgb lower = (1 - x.part) * texel(texture, x.low, y.high) + x.part * texel(texture, x.high, y.high);
   return (1 - y.part) * upper + y.part * lower;

@@ -56,6 +56,8 @@ void check_points(const Scene& scene) {
   for (size_t i = 0; i < scene.uvs.size(); ++i)
     if (!std::isfinite(scene.uvs[i].x) || !std::isfinite(scene.uvs[i].y))
       fail("texture coordinate", i, "it is not finite");
+  for (size_t i = 0; i < scene.normals.size(); ++i)
+    if (!(std::abs(length(scene.normals[i]) - 1) <= kUnitTolerance)) fail("normal", i, "its length is not 1");
 }
 
 void check_polygon(const Scene& scene, size_t i) {
@@ -66,6 +68,13 @@ void check_polygon(const Scene& scene, size_t i) {
   for (const uint32_t uv : polygon.uvs)
     if (uv != kNone && uv >= scene.uvs.size())
       fail("polygon", i, index_fault("a texture coordinate", uv, scene.uvs.size()));
+  for (int c = 0; c < 4; ++c) {
+    const uint32_t normal = polygon.normals[c];
+    if ((normal != kNone) != (polygon.is_smooth() && c < polygon.corner_count()))
+      fail("polygon", i, "it has a normal at some of its corners, expected at all or at none");
+    if (normal != kNone && normal >= scene.normals.size())
+      fail("polygon", i, index_fault("a normal", normal, scene.normals.size()));
+  }
   if (polygon.material >= scene.materials.size())
     fail("polygon", i, index_fault("its material", polygon.material, scene.materials.size()));
   if (polygon.object >= scene.objects.size())

@@ -12,8 +12,8 @@ struct ImageModule {
   std::string (*read)(const std::string& path, Image* image);
   std::string (*read_srgb)(const std::string& path, SrgbImage* image);
   bool (*knows)(const std::string& format);  // an extension without its dot
-  // `bytes` are those of the file.
-  std::string (*encode)(const std::string& format, const Image& image, std::string* bytes);
+  // `bytes` are those of the file. On the sRGB curve. `eight_bits`: where the format also has more.
+  std::string (*encode)(const std::string& format, bool eight_bits, const Image& image, std::string* bytes);
 };
 
 // The one symbol that is looked up in the module; `ImageModuleEntry` is its type.

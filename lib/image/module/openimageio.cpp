@@ -126,12 +126,14 @@ std::string read_srgb(const std::string& path, SrgbImage* image) {
 }
 
 bool is_float_format(const std::string& format) { return format == "hdr" || format == "rgbe"; }
-bool is_word_format(const std::string& format) { return format == "tif" || format == "tiff"; }
+bool has_words(const std::string& format, bool eight_bits) {
+  return !eight_bits && (format == "tif" || format == "tiff");
+}
 
-OIIO::ImageSpec spec_for(const Image& image, const std::string& format) {
-  const OIIO::TypeDesc type = is_float_format(format)  ? OIIO::TypeDesc::FLOAT
-                              : is_word_format(format) ? OIIO::TypeDesc::UINT16
-                                                       : OIIO::TypeDesc::UINT8;
+OIIO::ImageSpec spec_for(const Image& image, const std::string& format, bool eight_bits) {
+  const OIIO::TypeDesc type = is_float_format(format)         ? OIIO::TypeDesc::FLOAT
+                              : has_words(format, eight_bits) ? OIIO::TypeDesc::UINT16
+                                                              : OIIO::TypeDesc::UINT8;
   OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), 3, type);
   spec.attribute("DateTime",
                  "1970:01:01 00:00:00");  // not the current time: equal pixels must give equal bytes
@@ -157,9 +159,10 @@ std::vector<Sample> whole_numbers_of(const Image& image, Encode encode) {
   return samples;
 }
 
-bool write_samples(OIIO::ImageOutput* output, const std::string& format, const Image& image) {
+bool write_samples(OIIO::ImageOutput* output, const std::string& format, bool eight_bits,
+                   const Image& image) {
   if (is_float_format(format)) return output->write_image(OIIO::TypeDesc::FLOAT, floats_of(image).data());
-  if (is_word_format(format))
+  if (has_words(format, eight_bits))
     return output->write_image(OIIO::TypeDesc::UINT16,
                                whole_numbers_of<uint16_t>(image, strad::srgb_word).data());
   return output->write_image(OIIO::TypeDesc::UINT8,
@@ -193,7 +196,7 @@ class MemoryFile {
 
 // In plain memory, for a disk may be full: libjpeg then ends the program, and others do not tell. Some
 // formats are written by name only; TIFF comes out damaged from IOVecOutput in OpenImageIO 2.4.
-std::string encode(const std::string& format, const Image& image, std::string* bytes) {
+std::string encode(const std::string& format, bool eight_bits, const Image& image, std::string* bytes) {
   keep_to_one_thread();
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
   if (!output) return "no writer for this format: " + first_line(OIIO::geterror());
@@ -201,8 +204,8 @@ std::string encode(const std::string& format, const Image& image, std::string* b
   const bool by_name = is_word_format(format) || !output->supports("ioproxy");
   const MemoryFile file;
   if (!by_name) output->set_ioproxy(&memory);
-  if (!output->open(by_name ? file.name() : "picture." + format, spec_for(image, format)) ||
-      !write_samples(output.get(), format, image) || !output->close())
+  if (!output->open(by_name ? file.name() : "picture." + format, spec_for(image, format, eight_bits)) ||
+      !write_samples(output.get(), format, eight_bits, image) || !output->close())
     return "cannot be written: " + first_line(output->geterror());
   *bytes = by_name ? file.bytes() : std::string(memory.buffer().begin(), memory.buffer().end());
   // Even a file in memory may meet a limit (ulimit -f), which some writers do not tell.

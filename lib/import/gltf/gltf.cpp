@@ -11,6 +11,7 @@
 #include "import/gltf/moving.h"
 #include "import/gltf/sampler.h"
 #include "import/poses/few_scene_keys.h"
+#include "import/smooth_normals.h"
 #include "import/unique_names.h"
 #include "scene/trajectory.h"
 
@@ -383,7 +384,9 @@ Scene GltfBuilder::build() {
 Scene import_gltf(const std::string& path, const ImportOptions& options, const GltfOptions& gltf,
                   ImportReport* report) {
   const GltfModel model = read_gltf(path, options, report);
-  return finish_import(GltfBuilder(model, options, gltf, report).build(), options, model.file, report);
+  Scene scene = GltfBuilder(model, options, gltf, report).build();
+  smooth_by_angle(options.smooth, &scene);
+  return finish_import(std::move(scene), options, model.file, report);
 }
 
 }  // namespace strad

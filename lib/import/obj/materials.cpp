@@ -20,6 +20,7 @@ class MaterialLoader {
 
   void read_library(const ObjScan::Named& library);
   void make(const ObjScan::Named& wanted);
+  std::vector<TexturePlacement> placements() { return std::move(placements_); }
 
  private:
   // See refuse_missing.
@@ -37,8 +38,9 @@ class MaterialLoader {
   ImportReport* report_;
   Scene* scene_;
   std::map<std::string, MtlMaterial> known_;
-  std::map<std::string, uint32_t> texture_at_;  // by resolved path
+  std::map<std::pair<std::string, bool>, uint32_t> texture_at_;  // by resolved path and whether it is clamped
   std::vector<std::string> read_;
+  std::vector<TexturePlacement> placements_;
 };
 
 // Files written under Windows separate folders by backslashes.
@@ -77,14 +79,16 @@ void MaterialLoader::add(const MtlMaterial& material) {
 
 uint32_t MaterialLoader::texture_of(const MtlMaterial& material) {
   const std::string path = found_path(material.file, material.texture);
-  if (const auto known = texture_at_.find(path); known != texture_at_.end()) return known->second;
+  const std::pair key{path, material.texture_clamp};
+  if (const auto known = texture_at_.find(key); known != texture_at_.end()) return known->second;
   if (!file_exists(path)) {
     missing("texture " + in_quotes(path, path.size()) + " is missing", material.file, material.texture_line);
-    return texture_at_[path] = kNone;
+    return texture_at_[key] = kNone;
   }
   scene_->textures.push_back(
       load_texture({path, material.texture, false, material.file, material.texture_line}));
-  return texture_at_[path] = static_cast<uint32_t>(scene_->textures.size() - 1);
+  scene_->textures.back().clamp = material.texture_clamp;
+  return texture_at_[key] = static_cast<uint32_t>(scene_->textures.size() - 1);
 }
 
 Material MaterialLoader::converted(const MtlMaterial& from) {
@@ -107,9 +111,12 @@ Material MaterialLoader::converted(const MtlMaterial& from) {
 
 void MaterialLoader::make(const ObjScan::Named& wanted) {
   if (const auto found = known_.find(wanted.name); found != known_.end()) {
-    scene_->materials.push_back(converted(found->second));
+    const MtlMaterial& material = found->second;
+    scene_->materials.push_back(converted(material));
+    placements_.push_back({material.texture_scale, material.texture_offset});
     return;
   }
+  placements_.emplace_back();
   const Material grey;
   if (wanted.name.empty()) {
     report_->add("face without a material takes reflectance 0.5", name_, wanted.line);
@@ -122,11 +129,13 @@ void MaterialLoader::make(const ObjScan::Named& wanted) {
 
 }  // namespace
 
-void load_obj_materials(const ObjScan& scan, const std::string& path, const ImportOptions& options,
-                        ImportReport* report, Scene* scene) {
+std::vector<TexturePlacement> load_obj_materials(const ObjScan& scan, const std::string& path,
+                                                 const ImportOptions& options, ImportReport* report,
+                                                 Scene* scene) {
   MaterialLoader loader(path, options, report, scene);
   for (const ObjScan::Named& library : scan.libraries) loader.read_library(library);
   for (const ObjScan::Named& wanted : scan.materials) loader.make(wanted);
+  return loader.placements();
 }
 
 }  // namespace strad

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "base/text.h"
 #include "import/obj/parse.h"
@@ -42,6 +43,8 @@ class MtlScanner {
   float number(std::string_view word, std::string_view rest) const;
   void put_colour(std::string_view word, std::string_view rest);
   void texture(std::string_view rest);
+  void texture_option(std::string_view option, const std::vector<std::string_view>& words);
+  void without_effect(std::string_view word, std::string_view rest);
   void ignore(const std::string& what) { materials_.back().ignored.push_back({what, lines_.number()}); }
 
   LineReader lines_;
@@ -91,9 +94,24 @@ void MtlScanner::put_colour(std::string_view word, std::string_view rest) {
   clean_.append("\n");
 }
 
+void MtlScanner::texture_option(std::string_view option, const std::vector<std::string_view>& words) {
+  MtlMaterial& material = materials_.back();
+  if (option == "-clamp" && !words.empty() && is_one_of(words[0], {"on", "off"})) {
+    material.texture_clamp = words[0] == "on";
+  } else if ((option == "-s" || option == "-o") && !words.empty()) {
+    Vec2& pair = option == "-s" ? material.texture_scale : material.texture_offset;
+    pair.x = *number_in(words[0]);
+    if (words.size() > 1) pair.y = *number_in(words[1]);
+  } else {
+    ignore("map_Kd option " + std::string(option) + " is ignored");
+  }
+}
+
 // map_Kd [options] name. The name is all that follows the options; it may hold blanks.
 void MtlScanner::texture(std::string_view rest) {
   rest = trimmed(rest);
+  MtlMaterial& material = materials_.back();
+  material.texture_scale = {1, 1}, material.texture_offset = {0, 0}, material.texture_clamp = false;
   while (rest.starts_with('-')) {
     std::string_view after = rest;
     const std::string_view word = next_word(&after);
@@ -101,20 +119,36 @@ void MtlScanner::texture(std::string_view rest) {
                                      [&](const TextureOption& known) { return known.name == word; });
     if (option == kTextureOptions.end()) break;
     const int most = option->words < 0 ? 3 : option->words;
+    std::vector<std::string_view> words;
     for (int i = 0; i < most; ++i) {
       std::string_view behind = after;
       if (option->words < 0 && !number_in(next_word(&behind))) break;
-      next_word(&after);
+      words.push_back(next_word(&after));
     }
-    ignore("map_Kd option " + std::string(word) + " is ignored");
+    texture_option(word, words);
     rest = trimmed(after);
   }
   if (rest.empty()) fail_at(name_, lines_.number(), "map_Kd names no file");
-  materials_.back().texture = rest;
-  materials_.back().texture_line = lines_.number();
+  material.texture = rest;
+  material.texture_line = lines_.number();
+}
+
+// Statements that change nothing here are named, unless their value says that there is nothing to change.
+void MtlScanner::without_effect(std::string_view word, std::string_view rest) {
+  std::string_view words = rest;
+  const std::optional<double> value = number_in(next_word(&words));
+  const bool nothing =
+      value && ((*value == 0 &&
+                 is_one_of(word, {"Ns", "Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor", "sharpness"})) ||
+                (*value == 1 && word == "Ni") || (*value >= 1 && *value <= 2 && word == "illum"));
+  if (!nothing) ignore(std::string(word) + " is ignored");
 }
 
 void MtlScanner::property(std::string_view word, std::string_view rest) {
+  const auto is_above_0 = [&] {
+    const auto rgb = colour(word, rest);
+    return *std::max_element(rgb.begin(), rgb.end()) > 0;
+  };
   if (word == "Kd" || word == "Ke") {
     put_colour(word, rest);
     if (word == "Kd") materials_.back().reflectance_line = lines_.number();
@@ -123,11 +157,17 @@ void MtlScanner::property(std::string_view word, std::string_view rest) {
   } else if (word == "map_Ke") {
     ignore("map_Ke is ignored: a material emits evenly");
   } else if (word == "Ks") {
-    const auto rgb = colour(word, rest);
-    if (*std::max_element(rgb.begin(), rgb.end()) > 0) ignore("Ks is ignored: surfaces are diffuse");
-  } else if ((word == "d" && rest.find("-halo") == rest.npos && number(word, rest) < 1) ||
-             (word == "Tr" && number(word, rest) > 0) || word == "map_d") {
-    ignore(std::string(word) + " is ignored: surfaces are opaque");
+    if (is_above_0()) ignore("Ks is ignored: surfaces are diffuse");
+  } else if (word == "Ka") {
+    if (is_above_0()) ignore("Ka is ignored: all light is computed");
+  } else if (word == "d" || word == "Tr") {
+    const bool halo = word == "d" && rest.find("-halo") != rest.npos;
+    if (halo || (word == "d" ? number(word, rest) < 1 : number(word, rest) > 0))
+      ignore(std::string(word) + " is ignored: surfaces are opaque");
+  } else if (word == "map_d") {
+    ignore("map_d is ignored: surfaces are opaque");
+  } else {
+    without_effect(word, rest);
   }
 }
 

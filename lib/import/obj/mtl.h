@@ -16,6 +16,9 @@ struct MtlMaterial {
   Rgb reflectance, emission;
   std::string texture;  // as map_Kd spells it; "": none
   uint32_t texture_line = 0;
+  // Texture coordinates are multiplied by the scale (-s), and then moved by the offset (-o).
+  Vec2 texture_scale{1, 1}, texture_offset{0, 0};
+  bool texture_clamp = false;  // -clamp on
 
   struct Ignored {
     std::string what;

@@ -38,7 +38,8 @@ void take_face(void* user, tinyobj::index_t* indices, int count) {
   for (int i = 0; i < count; ++i) {
     // Numbers as in the file, from 1. 0 means none, and 0 - 1 is kNone.
     to.obj.corners.push_back({static_cast<uint32_t>(indices[i].vertex_index) - 1,
-                              static_cast<uint32_t>(indices[i].texcoord_index) - 1});
+                              static_cast<uint32_t>(indices[i].texcoord_index) - 1,
+                              static_cast<uint32_t>(indices[i].normal_index) - 1});
   }
 }
 
@@ -48,6 +49,9 @@ tinyobj::callback_t callbacks() {
     gathering(user).obj.vertices.push_back({x, y, z});
   };
   calls.texcoord_cb = [](void* user, float u, float v, float) { gathering(user).obj.uvs.push_back({u, v}); };
+  calls.normal_cb = [](void* user, float x, float y, float z) {
+    gathering(user).obj.normals.push_back({x, y, z});
+  };
   calls.index_cb = take_face;
   calls.object_cb = [](void* user, const char* name) { gathering(user).object = place_in(name); };
   calls.usemtl_cb = [](void* user, const char* name, int) { gathering(user).material = place_in(name); };

@@ -12,8 +12,9 @@ namespace strad {
 struct ParsedObj {
   std::vector<Vec3> vertices;
   std::vector<Vec2> uvs;
+  std::vector<Vec3> normals;  // of any length
   struct Corner {
-    uint32_t vertex = kNone, uv = kNone;
+    uint32_t vertex = kNone, uv = kNone, normal = kNone;
   };
   std::vector<Corner> corners;  // of all faces, one after another
   struct Face {

@@ -15,9 +15,9 @@ namespace {
 
 constexpr size_t kMaxItems = 0x7fffffff;  // indices are 31 bits in tinyobjloader
 
-// Statements that say nothing about polygons: shading, display, skinning, subdivision.
+// Statements that say nothing about polygons: display, skinning, subdivision.
 bool is_without_meaning(std::string_view word) {
-  return is_one_of(word, {"s", "mg", "bevel", "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj",
+  return is_one_of(word, {"mg", "bevel", "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj",
                           "ctech", "trace_obj", "stech", "vw", "t", "vp", "csh", "end"});
 }
 
@@ -90,11 +90,12 @@ class Scanner {
 
  private:
   void statement(std::string_view word, std::string_view rest);
-  void numbers(std::string_view word, std::string_view rest, size_t least, size_t most, size_t kept);
+  size_t numbers(std::string_view word, std::string_view rest, size_t least, size_t most, size_t kept);
   void vertex(std::string_view rest);
   void face(std::string_view rest);
   void corner(std::string_view word);
-  void normal(std::string_view word);
+  void normal(std::string_view word, bool after_uv);
+  void smoothing(std::string_view rest);
   void name_object();
   void left_out(const std::string& what) { report_->add(what + " left out", name_, lines_.number()); }
   void put(std::string_view word) { scan_.clean.append(word); }
@@ -110,13 +111,14 @@ class Scanner {
   ObjScan scan_;
   NameList objects_{&scan_.objects}, materials_{&scan_.materials};
   Numbered vertices_{"vertex", name_}, uvs_{"texture coordinate", name_};
-  size_t normal_count_ = 0;
+  uint32_t group_of_faces_ = 0;  // for smoothing
   std::string object_, group_, material_;
   bool object_changed_ = true, material_changed_ = true;
 };
 
-// Checks all numbers and copies the first `kept`. A comment may follow them.
-void Scanner::numbers(std::string_view word, std::string_view rest, size_t least, size_t most, size_t kept) {
+// Checks all numbers, copies the first `kept`, and returns how many there are. A comment may follow them.
+size_t Scanner::numbers(std::string_view word, std::string_view rest, size_t least, size_t most,
+                        size_t kept) {
   size_t count = 0;
   for (std::string_view text = next_word(&rest); !text.empty() && !text.starts_with('#');
        text = next_word(&rest)) {
@@ -128,7 +130,7 @@ void Scanner::numbers(std::string_view word, std::string_view rest, size_t least
     put(text.starts_with('+') ? text.substr(1) : text);
   }
   if (kept > 0) put("\n");
-  if (count >= least && count <= most) return;
+  if (count >= least && count <= most) return count;
   const std::string expected = std::to_string(least) + (most > least ? " to " + std::to_string(most) : "");
   fail_at(name_, lines_.number(),
           std::string(word) + " has " + std::to_string(count) + " numbers, expected " + expected);
@@ -136,7 +138,7 @@ void Scanner::numbers(std::string_view word, std::string_view rest, size_t least
 
 // x y z; some files have a weight or a colour after them.
 void Scanner::vertex(std::string_view rest) {
-  numbers("v", rest, 3, 7, 3);
+  if (numbers("v", rest, 3, 7, 3) >= 6) left_out("vertex colour");
   vertices_.add(lines_.number());
 }
 
@@ -151,17 +153,31 @@ void Scanner::corner(std::string_view word) {
     put("/");
     put(uvs_.resolve(rest.substr(0, second), lines_.number()));
   }
-  if (second + 1 < rest.size()) normal(rest.substr(second + 1));
+  if (second + 1 < rest.size()) normal(rest.substr(second + 1), second > 0);
 }
 
-// Normals are not used. Some programs leave them out while faces still refer to them.
-void Scanner::normal(std::string_view word) {
+// Some programs leave normals out while faces still refer to them, always to ones before.
+void Scanner::normal(std::string_view word, bool after_uv) {
   const auto index = integer_in(word);
   if (!index)
     fail_at(name_, lines_.number(), "found " + in_quotes(word) + ", expected the number of a normal");
-  const auto count = static_cast<int64_t>(normal_count_);
+  const auto count = static_cast<int64_t>(scan_.normal_count);
   if (*index == 0 || *index < -count || *index > count)
-    report_->add("face uses a normal that is not there", name_, lines_.number());
+    return report_->add("face uses a normal that is not there", name_, lines_.number());
+  put(after_uv ? "/" : "//");
+  put(static_cast<size_t>(*index < 0 ? count + *index + 1 : *index));
+}
+
+void Scanner::smoothing(std::string_view rest) {
+  const std::string_view text = next_word(&rest);
+  const auto number = integer_in(text);
+  if (text == "off" || text == "on") {
+    group_of_faces_ = text == "on" ? 1 : 0;
+  } else if (number && *number >= 0 && *number <= static_cast<int64_t>(kMaxItems)) {
+    group_of_faces_ = static_cast<uint32_t>(*number);
+  } else {
+    fail_at(name_, lines_.number(), "found s " + in_quotes(text) + ", expected off or the number of a group");
+  }
 }
 
 void Scanner::face(std::string_view rest) {
@@ -190,6 +206,7 @@ void Scanner::face(std::string_view rest) {
   }
   object_changed_ = material_changed_ = false;
   scan_.face_lines.push_back(lines_.number());
+  scan_.face_groups.push_back(group_of_faces_);
 }
 
 void Scanner::name_object() {
@@ -208,10 +225,11 @@ void Scanner::statement(std::string_view word, std::string_view rest) {
     return uvs_.add(lines_.number());
   }
   if (word == "vn") {
-    numbers("vn", rest, 3, 3, 0);
-    ++normal_count_;
+    numbers("vn", rest, 3, 3, 3);
+    ++scan_.normal_count;
     return;
   }
+  if (word == "s") return smoothing(rest);
   if (word == "o" || word == "g") {
     if (word == "o") object_ = single_spaced(rest), group_.clear();
     if (word == "g") group_ = single_spaced(rest);

@@ -11,11 +11,11 @@
 namespace strad {
 
 struct ObjScan {
-  // The same scene, simplified: v, vt and f with absolute indices, and `o N` and `usemtl N`, where N is an
-  // index into `objects` or `materials`. Each face has its line in face_lines.
+  // The same scene, simplified: v, vt, vn and f with absolute indices, and `o N` and `usemtl N`, where N is
+  // an index into `objects` or `materials`. Each face has its line in face_lines, and its smoothing group.
   std::string clean;
-  std::vector<uint32_t> face_lines;
-  size_t vertex_count = 0, uv_count = 0;
+  std::vector<uint32_t> face_lines, face_groups;
+  size_t vertex_count = 0, uv_count = 0, normal_count = 0;
 
   struct Named {
     std::string name;

@@ -122,13 +122,20 @@ void PovBuilder::add_facet(const PovFacet& facet, const PovObject& object, uint3
     refuse({"image_map without uv_vectors", facet.surface->place}, options_, report_);
   for (const OutlinePiece& piece : pieces) {
     Polygon polygon;
+    Vec3 normals[4];
     polygon.object = scene_object;
     polygon.material = material;
     for (int k = 0; k < 4 && piece.corners[k] >= 0; ++k) {
       const size_t i = at(static_cast<size_t>(piece.corners[k]));
       polygon.corners[k] = corners[i];
       if (textured && !facet.uvs.empty()) polygon.uvs[k] = uv(object.uvs[facet.uvs[i]]);
+      if (!facet.normals.empty()) normals[k] = placed(facet.normals[i]);
     }
+    const bool given = !facet.normals.empty() && std::all_of(normals, normals + polygon.corner_count(),
+                                                             [](Vec3 n) { return length(n) > 0; });
+    if (given && normals_.set(&polygon, normals) == NormalsGiven::kContrary)
+      report_->add("face whose normals lie on both of its sides is drawn flat", object.place.file,
+                   object.place.line);
     scene_.polygons.push_back(polygon);
   }
 }

@@ -10,6 +10,7 @@
 #include "import/import.h"
 #include "import/pov/followed.h"
 #include "import/pov/scene_values.h"
+#include "import/smooth_normals.h"
 #include "import/unique_names.h"
 
 namespace strad {
@@ -75,6 +76,7 @@ class PovBuilder {
   std::vector<double> times_;
   std::vector<uint32_t> group_of_piece_, body_of_group_;
   Scene scene_;
+  SmoothNormals normals_{&scene_};
   std::map<std::tuple<float, float, float>, uint32_t> vertices_;
   UniqueNames object_names_, material_names_, spot_names_;
   std::map<const PovSurface*, uint32_t> material_of_surface_;

@@ -24,12 +24,14 @@ void add_triangle(PovObject* object, uint32_t a, uint32_t b, uint32_t c, PovSurf
 // Corners a, b, c; of a smooth triangle each is followed by its normal.
 PovObject PovSceneReader::triangle_shape(bool smooth) {
   PovObject made;
+  std::vector<Vec3> normals;
   for (int i = 0; i < 3; ++i) {
     made.points.push_back(in_.vector());
     in_.skip_comma();
-    if (smooth) in_.vector(), in_.skip_comma();
+    if (smooth) normals.push_back(in_.vector()), in_.skip_comma();
   }
   add_triangle(&made, 0, 1, 2, nullptr);
+  if (smooth) made.facets.back().normals = {normals[0], normals[2], normals[1]};
   return made;
 }
 
@@ -79,6 +81,7 @@ PovObject PovSceneReader::mesh_shape() {
     const auto first = static_cast<uint32_t>(made.points.size());
     made.points.insert(made.points.end(), triangle.points.begin(), triangle.points.end());
     add_triangle(&made, first, first + 1, first + 2, std::move(surface));
+    made.facets.back().normals = triangle.facets.back().normals;
   }
   return made;
 }
@@ -89,8 +92,9 @@ PovMeshLists PovSceneReader::mesh2_lists(PovObject* made) {
   while (in_.peek().kind == PovKind::kWord) {
     const std::string kind(in_.peek().text);
     const bool known = kind == "vertex_vectors" || kind == "uv_vectors" || kind == "texture_list" ||
-                       kind == "face_indices" || kind == "uv_indices";
-    if (!known && (kind == "normal_vectors" || kind == "normal_indices" || kind == "inside_vector")) {
+                       kind == "face_indices" || kind == "uv_indices" || kind == "normal_vectors" ||
+                       kind == "normal_indices";
+    if (!known && kind == "inside_vector") {
       in_.skip_item();
       continue;
     }
@@ -102,6 +106,10 @@ PovMeshLists PovSceneReader::mesh2_lists(PovObject* made) {
     while (!in_.take_if("}")) {
       if (kind == "vertex_vectors") {
         made->points.push_back(in_.vector());
+      } else if (kind == "normal_vectors") {
+        lists.normals.push_back(in_.vector());
+      } else if (kind == "normal_indices") {
+        lists.normal_faces.push_back(index_triple());
       } else if (kind == "uv_vectors") {
         made->uvs.push_back(in_.vector2());
       } else if (kind == "texture_list") {
@@ -170,6 +178,13 @@ PovObject PovSceneReader::mesh2_shape() {
     for (size_t k = 0; k < 3; ++k)
       corners[k] = check(face.corners[k], made.points.size(), "vertex", face.line);
     add_triangle(&made, corners[0], corners[1], corners[2], of_face);
+    if (!lists.normals.empty()) {
+      const auto& normal_face = i < lists.normal_faces.size() ? lists.normal_faces[i] : face.corners;
+      std::array<Vec3, 3> n{};
+      for (size_t k = 0; k < 3; ++k)
+        n[k] = lists.normals[check(normal_face[k], lists.normals.size(), "normal", face.line)];
+      made.facets.back().normals = {n[0], n[2], n[1]};
+    }
     if (made.uvs.empty()) continue;
     const auto& uv_face = i < lists.uv_faces.size() ? lists.uv_faces[i] : face.corners;
     for (size_t k = 0; k < 3; ++k)

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "import/pov/build.h"
 #include "import/pov/scene_reader.h"
+#include "import/smooth_normals.h"
 
 namespace strad {
 namespace {
@@ -73,6 +74,7 @@ Scene import_pov(const std::string& path, const ImportOptions& options, ImportRe
     scene.rate = animation.rate;
     scene.end = static_cast<double>(times.size()) / animation.rate;
   }
+  smooth_by_angle(options.smooth, &scene);
   return finish_import(std::move(scene), options, text_name(path), report);
 }
 

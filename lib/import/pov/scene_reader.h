@@ -18,7 +18,8 @@ struct PovMeshLists {
     uint32_t line = 0;
   };
   std::vector<Face> faces;
-  std::vector<std::array<int, 3>> uv_faces;
+  std::vector<std::array<int, 3>> uv_faces, normal_faces;
+  std::vector<Vec3> normals;
   std::vector<PovSurfacePointer> surfaces;
   std::string file;
 };

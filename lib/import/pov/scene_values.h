@@ -20,6 +20,12 @@ struct PovTransform {
 
   Vec3 direction(Vec3 v) const { return v.x * rows[0] + v.y * rows[1] + v.z * rows[2]; }
   Vec3 point(Vec3 p) const { return direction(p) + rows[3]; }
+  // Of a surface, outwards before and after; its length changes. By the cofactors, as for every plane.
+  Vec3 normal(Vec3 n) const {
+    const Vec3 turned =
+        n.x * cross(rows[1], rows[2]) + n.y * cross(rows[2], rows[0]) + n.z * cross(rows[0], rows[1]);
+    return mirrors() ? -turned : turned;
+  }
   bool mirrors() const { return dot(cross(rows[0], rows[1]), rows[2]) < 0; }
   // Makes this the transformation by itself, then by `next`.
   void append(const PovTransform& next) {
@@ -70,6 +76,7 @@ using PovSurfacePointer = std::shared_ptr<const PovSurface>;
 struct PovFacet {
   std::vector<uint32_t> corners;  // points of the object, 3 or more
   std::vector<uint32_t> uvs;      // as many, or none
+  std::vector<Vec3> normals;      // as many, of a smooth surface and of any length, or none
   uint32_t part = 0;
   bool no_shadow = false;
   PovSurfacePointer surface;  // null: that of the object around it

@@ -93,8 +93,32 @@ PovObject pov_sphere(Vec3 centre, double radius, int sides) {
     add_band(&object, last, band == 1, ring, top, sides);
     last = ring;
   }
+  for (PovFacet& facet : object.facets)
+    for (const uint32_t corner : facet.corners) facet.normals.push_back(object.points[corner] - centre);
   return object;
 }
+
+namespace {
+
+// Normals of the sides of a cone: across its slope. At its tip that of the middle of each side.
+void smooth_sides(PovObject* object, Vec3 base, Vec3 cap, double narrowing) {
+  const Vec3 axis = normalized(cap - base);
+  const auto outwards = [&](uint32_t corner) {
+    const Vec3 from_base = object->points[corner] - base;
+    return from_base - dot(from_base, axis) * axis;
+  };
+  for (PovFacet& facet : object->facets) {
+    Vec3 middle;
+    for (const uint32_t corner : facet.corners) middle = middle + outwards(corner);
+    for (const uint32_t corner : facet.corners) {
+      const Vec3 out = outwards(corner);
+      const bool tip = !(length(out) > 1e-9 * length(middle));
+      facet.normals.push_back(length(cap - base) * normalized(tip ? middle : out) + narrowing * axis);
+    }
+  }
+}
+
+}  // namespace
 
 PovObject pov_cone(Vec3 base, double base_radius, Vec3 cap, double cap_radius, int sides, bool open) {
   PovObject object;
@@ -107,8 +131,10 @@ PovObject pov_cone(Vec3 base, double base_radius, Vec3 cap, double cap_radius, i
     return static_cast<uint32_t>(object.points.size() - 1);
   };
   const uint32_t lower = ring(base, base_radius), upper = ring(cap, cap_radius);
-  if (base_radius > 0 || cap_radius > 0)
+  if (base_radius > 0 || cap_radius > 0) {
     add_band(&object, lower, !(base_radius > 0), upper, !(cap_radius > 0), sides);
+    smooth_sides(&object, base, cap, base_radius - cap_radius);
+  }
   if (!open && base_radius > 0) add_lid(&object, lower, sides, false);
   if (!open && cap_radius > 0) add_lid(&object, upper, sides, true);
   return object;
@@ -162,6 +188,8 @@ PovObject pov_bounded_plane(const PovPlane& plane, const PovObject& bounds) {
 void move_object(PovObject* object, const PovTransform& by) {
   if (object->plane) object->plane = transformed(*object->plane, by);
   for (Vec3& point : object->points) point = by.point(point);
+  for (PovFacet& facet : object->facets)
+    for (Vec3& normal : facet.normals) normal = by.normal(normal);
   for (PovLight& light : object->lights) {
     light.location = by.point(light.location);
     light.point_at = by.point(light.point_at);
@@ -172,6 +200,7 @@ void move_object(PovObject* object, const PovTransform& by) {
   for (PovFacet& facet : object->facets) {
     std::reverse(facet.corners.begin(), facet.corners.end());
     std::reverse(facet.uvs.begin(), facet.uvs.end());
+    std::reverse(facet.normals.begin(), facet.normals.end());
   }
 }
 

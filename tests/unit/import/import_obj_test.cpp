@@ -1,8 +1,11 @@
 // OBJ files become scenes or are refused with file and line; nothing is misread in silence.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "base/error.h"
 #include "import/obj/obj.h"
@@ -205,7 +208,7 @@ TEST_F(ImportObj, reads_textures_once_and_keeps_their_coordinates) {
   fs::create_directories(folder_ / "tex");
   write("tex/my wall.ppm", kPixels);
   write("m.mtl",
-        "newmtl a\nmap_Kd -o 0.5 0.5 -clamp on tex\\my wall.ppm\nnewmtl b\nKd 0.5 0.5 0.5\n"
+        "newmtl a\nmap_Kd -bm 2 tex\\my wall.ppm\nnewmtl b\nKd 0.5 0.5 0.5\n"
         "map_Kd tex/my wall.ppm\nnewmtl plain\nKd 0.5 0.5 0.5\n");
   const Scene scene =
       import("mtllib m.mtl\n" + kSquare +
@@ -221,9 +224,125 @@ TEST_F(ImportObj, reads_textures_once_and_keeps_their_coordinates) {
   EXPECT_EQ(scene.uvs[scene.polygons[1].uvs[1]], (Vec2{0.25, 0}));
   EXPECT_EQ(scene.polygons[0].uvs[0], kNone);
   EXPECT_EQ(scene.polygons[3].uvs[0], kNone);
-  EXPECT_EQ(note(0), "m.mtl:2: map_Kd option -o is ignored");
-  EXPECT_EQ(note(1), "m.mtl:2: map_Kd option -clamp is ignored");
-  EXPECT_EQ(note(2), "room.obj:16: face of a material with map_Kd has no texture coordinates");
+  EXPECT_EQ(note(0), "m.mtl:2: map_Kd option -bm is ignored");
+  EXPECT_EQ(note(1), "room.obj:16: face of a material with map_Kd has no texture coordinates");
+}
+
+TEST_F(ImportObj, places_textures_as_options_say) {
+  write("t.ppm", kPixels);
+  write("m.mtl",
+        "newmtl plain\nmap_Kd t.ppm\nnewmtl placed\nmap_Kd -s 2 3 1 -o 0.5 -clamp on t.ppm\n"
+        "newmtl again\nmap_Kd -clamp on -o 0.25 0.5 t.ppm\n");
+  const Scene scene = import("mtllib m.mtl\n" + kSquare +
+                             "vt 0 0\nvt 1 0\nvt 1 1\nusemtl plain\nf 1/1 2/2 3/3\nusemtl placed\n"
+                             "f 1/1 2/2 3/3\nusemtl again\nf 1/1 2/2 3/3\n");
+  EXPECT_TRUE(report_.lines().empty());
+  // Coordinates are scaled, then moved: (1, 1) to (2 + 0.5, 3 + 0), and (1 + 0.25, 1 + 0.5).
+  const auto uv = [&](size_t polygon) { return scene.uvs[scene.polygons[polygon].uvs[2]]; };
+  EXPECT_EQ(uv(0), (Vec2{1, 1}));
+  EXPECT_EQ(uv(1), (Vec2{2.5, 3}));
+  EXPECT_EQ(uv(2), (Vec2{1.25, 1.5}));
+  // Once as it repeats, once as it is clamped.
+  ASSERT_EQ(scene.textures.size(), 2u);
+  EXPECT_FALSE(scene.textures[scene.materials[0].texture].clamp);
+  EXPECT_TRUE(scene.textures[scene.materials[1].texture].clamp);
+  EXPECT_EQ(scene.materials[1].texture, scene.materials[2].texture);
+}
+
+TEST_F(ImportObj, names_once_what_has_no_effect) {
+  write("m.mtl",
+        "newmtl a\nKa 0.2 0.2 0.2\nKd 0.5 0.5 0.5\nKs 0.1 0.1 0.1\nNs 30\nNi 1.45\nd 0.5\nillum 4\nPr 0.3\n"
+        "map_Bump b.png\nmap_Ks s.png\nTf 1 0.5 0.5\nrefl -type sphere r.png\n"
+        "newmtl b\nKd 0.5 0.5 0.5\nNi 1.3\nmap_Bump c.png\n"
+        "newmtl silent\nKa 0 0 0\nKd 0.5 0.5 0.5\nKs 0 0 0\nNs 0\nNi 1\nd 1\nTr 0\nillum 2\nPr 0\n");
+  import("mtllib m.mtl\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nusemtl silent\nf 1 2 3\n");
+  EXPECT_EQ(report_.lines(),
+            (std::vector<std::string>{path("room.obj") + ":2: vertex colour left out (3 in all)"}));
+  import("mtllib m.mtl\n" + kSquare + "usemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\n");
+  std::vector<std::string> notes;
+  for (size_t i = 0; i < report_.lines().size(); ++i) notes.push_back(note(i));
+  EXPECT_EQ(notes, (std::vector<std::string>{
+                       "m.mtl:2: Ka is ignored: all light is computed",
+                       "m.mtl:4: Ks is ignored: surfaces are diffuse", "m.mtl:5: Ns is ignored",
+                       "m.mtl:6: Ni is ignored (2 in all)", "m.mtl:7: d is ignored: surfaces are opaque",
+                       "m.mtl:8: illum is ignored", "m.mtl:9: Pr is ignored",
+                       "m.mtl:10: map_Bump is ignored (2 in all)", "m.mtl:11: map_Ks is ignored",
+                       "m.mtl:12: Tf is ignored", "m.mtl:13: refl is ignored"}));
+}
+
+// The sides of a column of `sides` quads about the y axis, of radius 1; counter-clockwise from outside.
+std::string column(int sides, const std::function<std::string(int corner)>& normal_of_corner) {
+  std::string vertices, faces;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * kPi * i / sides;
+    for (const double y : {0.0, 2.0})
+      vertices += "v " + std::to_string(std::sin(angle)) + " " + std::to_string(y) + " " +
+                  std::to_string(std::cos(angle)) + "\n";
+    faces += "f";
+    const int next = (i + 1) % sides;
+    for (const int corner : {2 * i + 1, 2 * next + 1, 2 * next + 2, 2 * i + 2})
+      faces += " " + std::to_string(corner) + normal_of_corner(corner);
+    faces += "\n";
+  }
+  return vertices + faces;
+}
+
+// Is the normal at each corner that of the round column?
+void expect_round(const Scene& scene, double tolerance) {
+  for (const Polygon& polygon : scene.polygons) {
+    ASSERT_TRUE(polygon.is_smooth());
+    for (int c = 0; c < polygon.corner_count(); ++c) {
+      const Vec3 at = scene.vertices[polygon.corners[c]];
+      EXPECT_LT(length(scene.normals[polygon.normals[c]] - Vec3{at.x, 0, at.z}), tolerance);
+    }
+  }
+}
+
+TEST_F(ImportObj, takes_normals_of_any_length_and_either_winding) {
+  std::string normals;
+  for (int i = 0; i < 8; ++i)
+    normals += "vn " + std::to_string(2 * std::sin(kPi / 4 * i)) + " 0 " +
+               std::to_string(2 * std::cos(kPi / 4 * i)) + "\n";
+  const auto of_corner = [](int corner) { return "//" + std::to_string((corner + 1) / 2); };
+  const Scene scene = import(normals + column(8, of_corner));
+  expect_round(scene, 1e-4);
+  EXPECT_EQ(scene.normals.size(), 8u);    // each once
+  EXPECT_EQ(report_.lines().size(), 1u);  // that there is no material, and nothing of normals
+  // Inside out: faces stay as they are wound, and the normals follow them.
+  std::string inwards;
+  for (int i = 0; i < 8; ++i)
+    inwards += "vn " + std::to_string(-std::sin(kPi / 4 * i)) + " 0 " +
+               std::to_string(-std::cos(kPi / 4 * i)) + "\n";
+  expect_round(import(inwards + column(8, of_corner)), 1e-4);
+}
+
+TEST_F(ImportObj, smooths_groups_and_angles_where_there_are_no_normals) {
+  const auto none = [](int) { return ""; };
+  // In a group: at each corner two quads of equal angle meet, whose mean is the round normal.
+  expect_round(import("s 3\n" + column(8, none)), 1e-4);
+  for (const char* off : {"", "s off\n", "s 0\n"})
+    EXPECT_TRUE(import(off + column(8, none)).normals.empty()) << off;
+  // By angle: quads meet at 45 degrees.
+  options_.smooth = 46 * kPi / 180;
+  expect_round(import(column(8, none)), 1e-4);
+  options_.smooth = 44 * kPi / 180;
+  EXPECT_TRUE(import(column(8, none)).normals.empty());
+  // Two groups meet in an edge.
+  options_.smooth = 0;
+  const Scene parted =
+      import("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 -1\nv 1 1 -1\ns 1\nf 1 2 3 4\ns 2\nf 2 5 6 3\n");
+  EXPECT_TRUE(parted.normals.empty());
+}
+
+TEST_F(ImportObj, stays_flat_where_normals_say_so_or_contradict) {
+  options_.smooth = kPi;
+  const std::string ridge = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 -1\nv 1 1 -1\nvn 0 0 1\nvn 1 0 0\n";
+  const Scene flat = import(ridge + "f 1//1 2//1 3//1 4//1\nf 2//2 5//2 6//2 3//2\n");
+  EXPECT_TRUE(flat.normals.empty());
+  const Scene contrary = import(ridge + "vn 0 0 -1\nf 1//1 2//3 3//1 4//1\n");
+  EXPECT_TRUE(contrary.normals.empty());
+  EXPECT_EQ(note(1), "room.obj:10: face whose normals lie on both of its sides is drawn flat");
+  EXPECT_NE(refusal("s x\n" + ridge + "f 1 2 3\n").find("found s \"x\", expected off"), std::string::npos);
 }
 
 TEST_F(ImportObj, refuses_a_texture_that_is_missing_or_broken) {

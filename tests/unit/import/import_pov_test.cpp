@@ -2,8 +2,10 @@
 // line.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "base/error.h"
 #include "import/pov/pov.h"
@@ -413,6 +415,45 @@ TEST_F(ImportPov, names_every_truncation_or_imports_it) {
       EXPECT_NE(std::string(error.what()).find("room.pov"), std::string::npos);
     }
   }
+}
+
+// Distance of a normal from the direction `from`, at each corner of each smooth polygon.
+double worst_normal(const Scene& scene, const std::function<Vec3(Vec3)>& expected) {
+  double worst = 0;
+  for (const Polygon& polygon : scene.polygons)
+    for (int c = 0; polygon.is_smooth() && c < polygon.corner_count(); ++c)
+      worst = std::max(worst, length(scene.normals[polygon.normals[c]] -
+                                     normalized(expected(scene.vertices[polygon.corners[c]]))));
+  return worst;
+}
+
+TEST_F(ImportPov, round_objects_are_smooth) {
+  // An ellipsoid x^2 + (y / 2)^2 + z^2 = 1: its normal at p is along (x, y / 4, z).
+  const Scene egg = import(kKept + "sphere { 0, 1 scale <1, 2, 1> pigment { rgb 1 } }");
+  EXPECT_FALSE(egg.normals.empty());
+  EXPECT_LT(worst_normal(egg, [](Vec3 p) { return Vec3{p.x, p.y / 4, p.z}; }), 1e-4);
+  // A cylinder's lids stay flat, and its sides point away from the axis.
+  const Scene column = import(kKept + "cylinder { 0, 3*y, 1 pigment { rgb 1 } }");
+  EXPECT_LT(worst_normal(column, [](Vec3 p) { return Vec3{p.x, 0, p.z}; }), 1e-4);
+  EXPECT_TRUE(std::any_of(column.polygons.begin(), column.polygons.end(),
+                          [](const Polygon& p) { return !p.is_smooth(); }));
+  // A cone from radius 2 to 1 over a height of 1 has a slope of 45 degrees.
+  const Scene cone = import(kKept + "cone { 0, 2, y, 1 open pigment { rgb 1 } }");
+  EXPECT_LT(worst_normal(cone, [](Vec3 p) { return normalized(Vec3{p.x, 0, p.z}) + Vec3{0, 1, 0}; }), 1e-4);
+}
+
+TEST_F(ImportPov, meshes_keep_their_normals) {
+  const auto tilted = [](Vec3 p) { return Vec3{0.2, 0.1, p.x < 0.5 ? 1.0 : 1.5}; };
+  const std::string corners = "<0,0,0>, <0.2,0.1,1>, <0,1,0>, <0.2,0.1,1>, <1,0,0>, <0.2,0.1,1.5>";
+  const Scene smooth = import(kKept + "smooth_triangle { " + corners + " pigment { rgb 1 } }");
+  EXPECT_FALSE(smooth.normals.empty());
+  EXPECT_LT(worst_normal(smooth, tilted), 1e-4);
+  const Scene mesh = import(kKept +
+                            "mesh2 { vertex_vectors { 3, <0,0,0>, <0,1,0>, <1,0,0> }"
+                            " normal_vectors { 2, <0.2,0.1,1>, <0.2,0.1,1.5> } face_indices { 1, <0,1,2> }"
+                            " normal_indices { 1, <0,0,1> } pigment { rgb 1 } }");
+  EXPECT_FALSE(mesh.normals.empty());
+  EXPECT_LT(worst_normal(mesh, tilted), 1e-4);
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 
 #include "base/error.h"
+#include "scene/octahedral.h"
 
 namespace strad {
 namespace {
@@ -90,6 +92,83 @@ TEST(SceneIo, MaterialsComeBack) {
   EXPECT_EQ(back.textures[0].name, "wood.png");
   EXPECT_EQ(back.textures[0].width, 2u);
   EXPECT_EQ(back.textures[0].srgb, scene.textures[0].srgb);
+}
+
+// Two triangles that meet in the edge of vertices 1 and 2; a third is flat.
+Scene smooth_scene() {
+  Scene scene = full_scene();
+  scene.polygons.clear();
+  scene.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5}};
+  scene.normals = {octahedral_vector(0x80008000u), octahedral_vector(0x90008000u),
+                   octahedral_vector(0x80007000u), octahedral_vector(0x88888888u)};
+  scene.polygons.push_back({{0, 1, 2, kNone}, {kNone, kNone, kNone, kNone}, 0, 0, {0, 1, 2, kNone}});
+  scene.polygons.push_back({{0, 1, 3, kNone}, {kNone, kNone, kNone, kNone}, 0, 0});
+  scene.polygons.push_back({{1, 3, 2, kNone}, {kNone, kNone, kNone, kNone}, 0, 0, {1, 3, 1, kNone}});
+  return scene;
+}
+
+TEST(SceneIo, NormalsComeBack) {
+  const Scene scene = smooth_scene();
+  const std::vector<Chunk> chunks = encode_scene(scene);
+  const Scene back = decoded(chunks);
+  EXPECT_EQ(back.normals, scene.normals);
+  for (size_t p = 0; p < 3; ++p)
+    for (int c = 0; c < 4; ++c) EXPECT_EQ(back.polygons[p].normals[c], scene.polygons[p].normals[c]);
+  const std::vector<Chunk> again = encode_scene(back);
+  for (size_t i = 0; i < chunks.size(); ++i) EXPECT_EQ(again[i].content, chunks[i].content);
+}
+
+TEST(SceneIo, NormalsAreAncillaryAndMostlyPredicted) {
+  // Their numbers: 0 to 2 are new, then a flat polygon, then vertex 1 again, a new one, and 1 (code 3) where
+  // vertex 2 had another.
+  for (const Chunk& chunk : encode_scene(smooth_scene())) {
+    if (chunk.type != chunk_type("norm")) continue;
+    EXPECT_FALSE(is_critical(chunk.type));
+    ASSERT_EQ(chunk.content.size(), 1 + 4 * 4 + 1 + 7u);
+    EXPECT_EQ(Bytes(chunk.content.end() - 8, chunk.content.end()), (Bytes{7, 1, 1, 1, 0, 1, 1, 3}));
+  }
+}
+
+TEST(SceneIo, DamagedNormalsAreRefused) {
+  const std::vector<Chunk> chunks = encode_scene(smooth_scene());
+  const auto refused = [&](const std::function<void(Bytes*)>& damage) {
+    std::vector<Chunk> damaged = chunks;
+    for (Chunk& chunk : damaged)
+      if (chunk.type == chunk_type("norm")) damage(&chunk.content);
+    EXPECT_THROW(decoded(damaged), BadInput);
+  };
+  refused([](Bytes* b) { b->pop_back(); });
+  refused([](Bytes* b) { b->push_back(0); });
+  refused([](Bytes* b) { b->front() = 200; });         // more normals than bytes
+  refused([](Bytes* b) { b->back() = 6; });            // normal 4 of 4
+  refused([](Bytes* b) { b->back() = 0; });            // flat at one corner only
+  refused([](Bytes* b) { (*b)[b->size() - 4] = 1; });  // no flat polygon: too few corners
+  refused([](Bytes* b) { (*b)[b->size() - 8] = 6, b->pop_back(); });
+  Scene scene = smooth_scene();
+  scene.polygons[0].normals[2] = kNone;
+  EXPECT_THROW(validate(scene), BadInput);
+  scene = smooth_scene();
+  scene.normals[1] = {0, 0, 2};
+  EXPECT_THROW(validate(scene), BadInput);
+}
+
+TEST(SceneIo, ClampedTexturesComeBackAndCostNothingWhereThereAreNone) {
+  Scene scene = full_scene();
+  const size_t chunks = encode_scene(scene).size();
+  scene.textures[0].clamp = true;
+  const std::vector<Chunk> encoded = encode_scene(scene);
+  EXPECT_EQ(encoded.size(), chunks + 1);
+  EXPECT_TRUE(decoded(encoded).textures[0].clamp);
+  for (Chunk chunk : encoded) {
+    if (chunk.type != chunk_type("TEXM")) continue;
+    EXPECT_EQ(chunk.content, (Bytes{1, 1}));  // one texture, clamped
+    SceneDecoder decoder;
+    for (const Bytes& bad : {Bytes{1, 2}, Bytes{1}, Bytes{200, 1}, Bytes{1, 1, 0}})
+      EXPECT_THROW(SceneDecoder().add(chunk.type, bad, "place"), BadInput);
+    for (const Chunk& other : encoded)
+      decoder.add(other.type, other.type == chunk.type ? Bytes{2, 1, 1} : other.content, "place");
+    EXPECT_THROW(decoder.finish("stream"), BadInput);  // modes of two textures, but there is one
+  }
 }
 
 TEST(SceneIo, MotionComesBack) {

@@ -36,6 +36,15 @@ TEST(Texture, Repeats) {
   }
 }
 
+TEST(Texture, ClampedOnesGoOnFromTheirEdges) {
+  Texture texture = four_texels();
+  texture.clamp = true;
+  for (const Vec2 uv : {Vec2{0.25, 0.75}, Vec2{0, 1}, Vec2{-3, 7}, Vec2{0.1, 100}})
+    EXPECT_EQ(texture_colour(texture, uv), (Rgb{1, 0, 0}));
+  EXPECT_EQ(texture_colour(texture, {1e30, -1e30}), (Rgb{0, 0, 1}));
+  EXPECT_NEAR(texture_colour(texture, {0.5, 5}).r, 0.5, 1e-6);  // between red and black
+}
+
 TEST(Texture, BytesAreOnTheSrgbCurve) {
   Texture grey;
   grey.width = grey.height = 1;
