@@ -2,11 +2,18 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
+
 #include "base/error.h"
+#include "scene/polygon_geometry.h"
 #include "scene/trajectory.h"
 
 namespace strad {
 namespace {
+
+struct LocalRay {
+  Vec3 from, direction;
+};
 
 // Bodies that never move share one structure, in world coordinates; each moving body has its own, at rest.
 struct Group {
@@ -15,11 +22,24 @@ struct Group {
   bool moves = false;
   Vec3 middle;  // the origin of Embree's coordinates, which are floats
   std::vector<uint32_t> polygon_of_triangle;
+  std::vector<bool> second_of_quad;  // [triangle]: corners 0, 2, 3 of its polygon, not 0, 1, 2
 };
 
-struct LocalRay {
-  Vec3 from, direction;
+// The nearest hit so far, as the ray tracer tells it.
+struct Nearest {
+  const Group* group = nullptr;
+  uint32_t triangle = 0;
+  float u = 0, v = 0;  // weights of the triangle's second and third corner
+  double distance = 0;
+  bool front = true;
+  LocalRay ray;
 };
+
+// A quad on whose triangles parametric coordinates are sums of their weights.
+bool is_parallelogram(const Scene& scene, const Polygon& polygon) {
+  const auto at = [&](int i) { return scene.vertices[polygon.corners[i]]; };
+  return length(at(0) + at(2) - at(1) - at(3)) < 1e-6 * length(at(2) - at(0));
+}
 
 RTCRay embree_ray(const LocalRay& local, double reach) {
   RTCRay ray{};
@@ -60,6 +80,7 @@ struct Tracer::State {
   Box scene_box;
   const Scene* scene = nullptr;
   std::vector<Pose> static_poses;
+  std::vector<bool> parallelogram;  // [polygon]
 
   ~State() {
     for (const Group& group : groups) rtcReleaseScene(group.scene);
@@ -81,6 +102,7 @@ struct Tracer::State {
       for (int t = 0; t + 2 < polygon.corner_count(); ++t) {
         push(0), push(t + 1), push(t + 2);
         group.polygon_of_triangle.push_back(p);
+        group.second_of_quad.push_back(t == 1);
       }
     }
     if (positions.empty()) return;
@@ -118,9 +140,9 @@ struct Tracer::State {
   }
 
   void closest(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction, double reach,
-               SurfaceHit* best) const {
+               Nearest* best) const {
     const LocalRay local = into(group, poses, from, direction);
-    if (best->polygon != kNone) reach = best->distance;
+    if (best->group) reach = best->distance;
     if (group.moves && !body_boxes[group.body].meets(local.from + group.middle, local.direction, reach))
       return;
     RTCRayHit query{};
@@ -130,14 +152,32 @@ struct Tracer::State {
     rtcInitIntersectContext(&context);
     rtcIntersect1(group.scene, &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
-    best->polygon = group.polygon_of_triangle[query.hit.primID];
-    best->distance = query.ray.tfar;
-    best->front = query.hit.Ng_x * query.ray.dir_x + query.hit.Ng_y * query.ray.dir_y +
-                      query.hit.Ng_z * query.ray.dir_z <
-                  0;
-    const Vec3 at = local.from + group.middle + best->distance * local.direction;
-    const uint32_t body = body_of(*scene, scene->polygons[best->polygon]);
-    best->rest_point = group.moves || body == 0 ? at : inverse(static_poses[body]) * at;
+    const bool front = query.hit.Ng_x * query.ray.dir_x + query.hit.Ng_y * query.ray.dir_y +
+                           query.hit.Ng_z * query.ray.dir_z <
+                       0;
+    *best = {&group, query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar, front, local};
+  }
+
+  SurfaceHit hit_of(const Nearest& nearest) const {
+    SurfaceHit hit;
+    if (!nearest.group) return hit;
+    hit.polygon = nearest.group->polygon_of_triangle[nearest.triangle];
+    hit.front = nearest.front;
+    hit.distance = nearest.distance;
+    const Vec3 at = nearest.ray.from + nearest.group->middle + nearest.distance * nearest.ray.direction;
+    const Polygon& polygon = scene->polygons[hit.polygon];
+    const uint32_t body = body_of(*scene, polygon);
+    hit.rest_point = nearest.group->moves || body == 0 ? at : inverse(static_poses[body]) * at;
+    hit.uv = uv_of(nearest, polygon, hit);
+    return hit;
+  }
+
+  Vec2 uv_of(const Nearest& nearest, const Polygon& polygon, const SurfaceHit& hit) const {
+    const double u = std::clamp(nearest.u, 0.0f, 1.0f), v = std::clamp(nearest.v, 0.0f, 1.0f);
+    if (polygon.corner_count() == 3) return {u, v};
+    if (!parallelogram[hit.polygon]) return parametric_of(*scene, polygon, hit.rest_point);
+    const double both = std::min(u + v, 1.0);
+    return nearest.group->second_of_quad[nearest.triangle] ? Vec2{u, both} : Vec2{both, v};
   }
 };
 
@@ -145,6 +185,8 @@ Tracer::Tracer(const Scene& scene) : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.scene = &scene;
   s.static_poses = poses_at(scene, scene.start);
+  for (const Polygon& polygon : scene.polygons)
+    s.parallelogram.push_back(polygon.corner_count() == 4 && is_parallelogram(scene, polygon));
   s.body_boxes.resize(scene.bodies.size());
   for (const Polygon& polygon : scene.polygons)
     for (int c = 0; c < polygon.corner_count(); ++c) {
@@ -182,18 +224,18 @@ bool Tracer::occluded_by(const std::vector<Pose>& world_from_body, const std::ve
 
 SurfaceHit Tracer::closest(const std::vector<Pose>& world_from_body, Vec3 from, Vec3 direction,
                            double reach) const {
-  SurfaceHit best;
+  Nearest best;
   for (const Group& group : state_->groups)
     state_->closest(group, world_from_body, from, direction, reach, &best);
-  return best;
+  return state_->hit_of(best);
 }
 
 SurfaceHit Tracer::closest_of(const std::vector<Pose>& world_from_body, const std::vector<bool>& mask,
                               Vec3 from, Vec3 direction, double reach) const {
-  SurfaceHit best;
+  Nearest best;
   for (const Group& group : state_->groups)
     if (mask[group.body]) state_->closest(group, world_from_body, from, direction, reach, &best);
-  return best;
+  return state_->hit_of(best);
 }
 
 double Tracer::offset() const { return 1e-5 * state_->scene_box.diagonal(); }

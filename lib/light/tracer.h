@@ -15,6 +15,7 @@ struct SurfaceHit {
   bool front = true;         // the ray came from the front side
   double distance = 0;       // in units of the ray's direction
   Vec3 rest_point;           // where, in rest coordinates
+  Vec2 uv;                   // the same on the polygon, see parametric_of()
 };
 
 class Tracer {

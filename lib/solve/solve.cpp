@@ -221,7 +221,8 @@ LeafLight light_of_leaves(const Prepared& p, const SolveOptions& options, NodeTr
 // Final gather at the vertices of the mesh, which it refines. Frees the radiance before surpluses are made.
 Field gather_surpluses(const SolveOptions& options, const NodeTree& tree, LeafLight light, Prepared* p,
                        SolveStats* stats) {
-  const FinalGather gather(tree, p->tracer, p->grid, p->swept, light.radiance, rays_for(options.error));
+  const FinalGather gather(tree, p->tracer, p->grid, p->swept, light.radiance,
+                           {rays_for(options.error), options.error / 5});
   IndirectPhase indirect(p->scene, p->grid, gather,
                          indirect_options(p->diagonal, options.error, light.mean, p->tolerance), &p->builder);
   indirect.run();

@@ -31,19 +31,19 @@ class FunctionBlock {
 
   // REQUIRES: has(leaf).
   Rgb get(uint32_t leaf, size_t time_sample) const {
-    const uint16_t* b = bits_.data() + 3 * (row_[leaf] * sample_count_ + time_sample);
-    return {decoded(b[0]), decoded(b[1]), decoded(b[2])};
+    const uint16_t* b = bits_.data() + 3 * size_t{row_[leaf]} * sample_count_ + time_sample;
+    return {decoded(b[0]), decoded(b[sample_count_]), decoded(b[2 * sample_count_])};
   }
   void set(uint32_t leaf, size_t time_sample, Rgb value) {
-    uint16_t* b = bits_.data() + 3 * (row_[leaf] * sample_count_ + time_sample);
-    for (int c = 0; c < 3; ++c)
-      b[c] = static_cast<uint16_t>((std::bit_cast<uint32_t>(value[c]) + 0x8000u) >> 16);
+    uint16_t* b = bits_.data() + 3 * size_t{row_[leaf]} * sample_count_ + time_sample;
+    for (int c = 0; c < 3; ++c, b += sample_count_)
+      *b = static_cast<uint16_t>((std::bit_cast<uint32_t>(value[c]) + 0x8000u) >> 16);
   }
-  // sum[i] += weights[i] * get(leaf, first + i)
-  void add(uint32_t leaf, size_t first, size_t count, const float* weights, Rgb* sum) const {
-    const uint16_t* b = bits_.data() + 3 * (row_[leaf] * sample_count_ + first);
-    for (size_t i = 0; i < count; ++i, b += 3)
-      sum[i] += weights[i] * Rgb{decoded(b[0]), decoded(b[1]), decoded(b[2])};
+  // sums[c * sample_count() + i] += weights[i] * get(leaf, i)[c], for the time samples i of [first, end).
+  void add(uint32_t leaf, size_t first, size_t end, const float* weights, float* sums) const {
+    const uint16_t* b = bits_.data() + 3 * size_t{row_[leaf]} * sample_count_;
+    for (int c = 0; c < 3; ++c, b += sample_count_, sums += sample_count_)
+      for (size_t i = first; i < end; ++i) sums[i] += weights[i] * decoded(b[i]);
   }
 
  private:
@@ -51,8 +51,8 @@ class FunctionBlock {
 
   std::vector<uint32_t> leaves_;
   size_t sample_count_ = 0;
-  std::vector<uint32_t> row_;  // [leaf]
-  std::vector<uint16_t> bits_;
+  std::vector<uint32_t> row_;   // [leaf]
+  std::vector<uint16_t> bits_;  // [row][channel][time sample]
 };
 
 }  // namespace strad

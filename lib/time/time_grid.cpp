@@ -33,6 +33,10 @@ TimeGrid instant_grid(double time) {
   return grid;
 }
 
+bool is_instant(const TimeGrid& grid) {
+  return grid.sample_count() == 1 && !(grid.spans[0].end > grid.spans[0].begin);
+}
+
 uint32_t span_of_cell(const TimeGrid& grid, uint32_t cell) {
   uint32_t span = 0;
   while (span + 1 < grid.spans.size() && grid.spans[span + 1].first_cell <= cell) ++span;

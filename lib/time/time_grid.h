@@ -41,6 +41,7 @@ TimeGrid make_time_grid(double start, double end, const std::vector<double>& ste
 
 // One instant: a single cell with one time sample, `time`.
 TimeGrid instant_grid(double time);
+bool is_instant(const TimeGrid& grid);
 
 uint32_t span_of_cell(const TimeGrid& grid, uint32_t cell);
 // The time, s, of a place within a span. `cell_coordinate` counts cells, with fractions: it is

@@ -72,8 +72,8 @@ void fill_blocked_leaves(const NodeTree& tree, const std::vector<BlockedLeaf>& b
 
 // What the leaves reflect of direct light and of `radiance`, by one gather along rays.
 FunctionBlock reflected_by_rays(const Workspace& work, const DirectOfLeaves& direct,
-                                const FunctionBlock& radiance, uint64_t* rays) {
-  const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, radiance, kLeafRays);
+                                const FunctionBlock& radiance, double tolerance, uint64_t* rays) {
+  const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, radiance, {kLeafRays, tolerance});
   const std::vector<uint32_t>& leaves = radiance.rows();
   FunctionBlock reflected(work.tree.leaf_count(), leaves, radiance.sample_count());
   std::vector<uint64_t> traced(leaves.size(), 0);
@@ -178,7 +178,7 @@ Bounces correct_by_bounces(const Workspace& work, const DirectOfLeaves& direct, 
   const double least = 1e-4 * mean_radiance(work.tree, *radiance);
   bool along_links = true;
   for (double last = 1; bounces.rounds < kMostRounds; last = bounces.change) {
-    FunctionBlock next = reflected_by_rays(work, direct, *radiance, &bounces.rays);
+    FunctionBlock next = reflected_by_rays(work, direct, *radiance, error / 2, &bounces.rays);
     ++bounces.rounds;
     if (along_links) {
       const std::vector<double> before = means_of(next);

@@ -1,27 +1,72 @@
 #include "solve/gather/form_factor_sums.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/parallel.h"
+#include "base/rng.h"
 #include "solve/gather/final_gather.h"
 
 namespace strad {
+namespace {
+
+// What the rays of a leaf meet, as shares of all: surfaces that take part, and unlit ones. Where a node is
+// partly covered (a box stands on it) the covered part sees only the unlit inside of what covers it.
+struct View {
+  float lit = 0, unlit = 0;
+};
+
+View view_of(const GatherSpace& space, const Receiver& receiver) {
+  const std::vector<Pose>& poses = space.swept.cell_begin_poses(space.grid.cell_count() / 2);
+  const Pose& pose = poses[receiver.body];
+  int lit = 0, unlit = 0;
+  for (const RestRay& ray : rays_of(receiver, receiver.rays, space.tracer.offset())) {
+    const uint32_t leaf =
+        space.leaf_of(space.tracer.closest(poses, pose * ray.from, rotate(pose, ray.towards)));
+    unlit += leaf == kUnlit;
+    lit += leaf != kUnlit && leaf != kOpenView;
+  }
+  const auto all = static_cast<float>(receiver.rays);
+  return {static_cast<float>(lit) / all, static_cast<float>(unlit) / all};
+}
+
+View view_of(const GatherSpace& space, uint32_t n) {
+  const Node& node = space.tree.nodes()[n];
+  if (!node.is_cluster()) {
+    Receiver receiver = receiver_of_patch(space.tree, node, kLeafRays);
+    receiver.rays = kLeafRays;
+    return view_of(space, receiver);
+  }
+  View mean;
+  for (int s = 0; s < Cluster::kSamples; ++s) {
+    const SurfaceSample& sample = space.tree.cluster(node).samples[s];
+    Receiver receiver;
+    receiver.position = sample.position;
+    receiver.normal = sample.normal;
+    receiver.body = node.body;
+    receiver.seed = hash_of(n, 4, static_cast<uint64_t>(s));
+    receiver.rays = std::max(1, kLeafRays / Cluster::kSamples);
+    const View view = view_of(space, receiver);
+    mean.lit += view.lit / Cluster::kSamples;
+    mean.unlit += view.unlit / Cluster::kSamples;
+  }
+  return mean;
+}
+
+}  // namespace
 
 std::vector<float> form_factor_sums_by_rays(const Workspace& work, uint64_t* rays) {
   const std::vector<Node>& nodes = work.tree.nodes();
-  const FunctionBlock no_radiance;
-  const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, no_radiance, kLeafRays);
+  const GatherSpace space(work.tree, work.tracer, work.grid, work.swept);
   std::vector<float> form_factor_sums(nodes.size(), 1.0f);
-  std::vector<uint64_t> counts(nodes.size(), 0);
   parallel_for(nodes.size(), 16, [&](size_t begin, size_t end) {
     for (size_t n = begin; n < end; ++n) {
       if (!nodes[n].is_leaf()) continue;
-      const FinalGather::View view = gather.view_of(static_cast<uint32_t>(n), &counts[n]);
+      const View view = view_of(space, static_cast<uint32_t>(n));
       form_factor_sums[n] = view.lit / std::max(1 - view.unlit, kLeastUnblocked);
     }
   });
-  *rays += std::accumulate(counts.begin(), counts.end(), uint64_t{0});
+  for (const Node& node : nodes)
+    if (node.is_leaf()) *rays += kLeafRays;
   return form_factor_sums;
 }
 

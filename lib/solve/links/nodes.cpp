@@ -190,15 +190,13 @@ void NodeTree::split_cluster(uint32_t n) {
   nodes_[n].child_count = static_cast<uint32_t>(nodes_.size()) - first_child;
 }
 
-uint32_t NodeTree::leaf_at(uint32_t polygon, uint32_t side, Vec3 rest_point) const {
+uint32_t NodeTree::leaf_at(uint32_t polygon, uint32_t side, Vec2 uv) const {
   const uint32_t face = builder_.mesh().face_of_side[2 * polygon + side];
   if (face == kNone) return kNone;
   uint32_t node = node_of_face_[face];
   if (nodes_[node].is_cluster()) return static_cast<uint32_t>(nodes_.size()) + face;
   if (nodes_[node].is_leaf()) return node;
-  const Polygon& p = scene_.polygons[polygon];
-  const bool quad = p.corner_count() == 4;
-  Vec2 uv = parametric_of(scene_, p, rest_point);
+  const bool quad = scene_.polygons[polygon].corner_count() == 4;
   while (!nodes_[node].is_leaf()) {
     const uint32_t child = quad ? quad_child(&uv) : triangle_child(&uv);
     node = nodes_[node].first_child + child;

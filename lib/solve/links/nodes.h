@@ -69,8 +69,8 @@ class NodeTree {
   // Leaves are leaf patches and the faces of leaf clusters. They are numbered from 0: the node of
   // a patch, or nodes().size() + the face.
   size_t leaf_count() const { return nodes_.size() + node_of_face_.size(); }
-  // The leaf that holds a rest point of a side of a polygon; kNone where that side has no face.
-  uint32_t leaf_at(uint32_t polygon, uint32_t side, Vec3 rest_point) const;
+  // The leaf at a place (see parametric_of()) of a side of a polygon; kNone where that side has no face.
+  uint32_t leaf_at(uint32_t polygon, uint32_t side, Vec2 uv) const;
   // The leaf cluster or the root patch of a face.
   uint32_t node_of_face(uint32_t face) const { return node_of_face_[face]; }
 

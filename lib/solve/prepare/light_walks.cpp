@@ -89,7 +89,7 @@ LightWalks::Place LightWalks::place_of(const Instant& instant, const SurfaceHit&
 
 LightWalks::Place LightWalks::on_side(const Instant& instant, uint32_t side, uint64_t seed) const {
   const Polygon& polygon = scene_.polygons[side / 2];
-  return place_of(instant, {side / 2, side % 2 == 0, 0, random_point(scene_, polygon, seed)});
+  return place_of(instant, {side / 2, side % 2 == 0, 0, random_point(scene_, polygon, seed), {}});
 }
 
 bool LightWalks::sees_lamp(const Instant& instant, const Place& place, uint64_t seed) const {

@@ -8,6 +8,7 @@
 
 #include "base/rng.h"
 #include "light_test_scene.h"
+#include "scene/polygon_geometry.h"
 #include "scene/trajectory.h"
 
 namespace strad {
@@ -112,6 +113,8 @@ void expect_truth(const std::vector<bool>& mask, bool all) {
     ASSERT_NEAR(found.distance, truth.s * reach, kTie);
     const Vec3 at = poses[body_of(scene, scene.polygons[found.polygon])] * found.rest_point;
     ASSERT_NEAR(length(at - (from + truth.s * (to - from))), 0, kTie);
+    const Vec3 on_polygon = point_of(scene, scene.polygons[found.polygon], found.uv);
+    ASSERT_NEAR(length(on_polygon - found.rest_point), 0, kTie);
   }
   EXPECT_GT(sure, 19000);
   EXPECT_GT(blocked, 1000);

@@ -60,14 +60,14 @@ TEST(FunctionBlock, BeginsAtZero) {
 
 TEST(FunctionBlock, AddIsTheSum) {
   const FunctionBlock functions = filled();
-  std::vector<float> weights;
-  std::vector<Rgb> sum(20, Rgb{1, 2, 3});
-  for (size_t i = 0; i < 20; ++i) weights.push_back(static_cast<float>(unit_from(hash_of(i, 8))));
-  functions.add(3, 7, 20, weights.data(), sum.data());
-  for (size_t i = 0; i < 20; ++i) {
-    const Rgb expected = Rgb{1, 2, 3} + weights[i] * functions.get(3, 7 + i);
-    for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(sum[i][c], expected[c]) << i;
-  }
+  std::vector<float> weights, sums(3 * kTimes, 2.0f);
+  for (size_t t = 0; t < kTimes; ++t) weights.push_back(static_cast<float>(unit_from(hash_of(t, 8))));
+  functions.add(3, 7, 27, weights.data(), sums.data());
+  for (size_t t = 0; t < kTimes; ++t)
+    for (size_t c = 0; c < 3; ++c) {
+      const float added = t < 7 || t >= 27 ? 0 : weights[t] * functions.get(3, t)[static_cast<int>(c)];
+      EXPECT_FLOAT_EQ(sums[c * kTimes + t], 2 + added) << t;
+    }
 }
 
 // Errors are in units of the function's own largest value.

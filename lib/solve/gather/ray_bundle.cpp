@@ -1,0 +1,95 @@
+#include "solve/gather/ray_bundle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace strad {
+
+GatherSpace::GatherSpace(const NodeTree& node_tree, const Tracer& ray_tracer, const TimeGrid& time_grid,
+                         const SweptBounds& swept_bounds)
+    : tree(node_tree), tracer(ray_tracer), grid(time_grid), swept(swept_bounds) {
+  for (uint32_t b = 0; b < tree.scene().bodies.size(); ++b) {
+    moving_mask.push_back(swept.moves(b));
+    still_mask.push_back(!moving_mask.back());
+  }
+}
+
+uint32_t GatherSpace::leaf_of(const SurfaceHit& hit) const {
+  if (hit.polygon == kNone) return kOpenView;
+  const uint32_t leaf = tree.leaf_at(hit.polygon, hit.front ? 0 : 1, hit.uv);
+  return leaf == kNone ? kUnlit : leaf;
+}
+
+RayBundle::RayBundle(const GatherSpace& space, const Receiver& receiver, uint64_t* rays)
+    : space_(space),
+      body_(receiver.body),
+      moves_(space.swept.moves(receiver.body) && !is_instant(space.grid)),
+      cells_(space.grid.cell_count()),
+      rays_(*rays) {
+  // Two looks are blended at each time sample, so half of the rays in each give the same noise.
+  const int count = moves_ ? std::max(1, receiver.rays / 2) : receiver.rays;
+  const std::vector<RestRay> rest_rays = rays_of(receiver, count, space.tracer.offset());
+  if (!moves_)
+    trace_still(rest_rays);
+  else
+    for (const RestRay& ray : rest_rays) watched_.push_back({ray.from, ray.towards, 1e30, kOpenView});
+}
+
+void RayBundle::trace_still(const std::vector<RestRay>& rest_rays) {
+  const std::vector<Pose>& poses = space_.swept.cell_begin_poses(0);
+  const Pose& pose = poses[body_];
+  active_.resize(cells_);
+  for (const RestRay& ray : rest_rays) {
+    const Vec3 from = pose * ray.from, towards = rotate(pose, ray.towards);
+    const SurfaceHit behind = space_.tracer.closest_of(poses, space_.still_mask, from, towards, 1e30);
+    const uint32_t leaf = space_.leaf_of(behind);
+    const double reach = behind.polygon == kNone ? 1e30 : behind.distance;
+    if (!space_.swept.may_meet(from, towards, reach)) {
+      always_.push_back(leaf);
+      continue;
+    }
+    watched_.push_back({from, towards, reach, leaf});
+    for (uint32_t c = 0; c < cells_; ++c) {
+      const bool meets = space_.swept.may_meet_in(c, from, towards, reach);
+      meets_.push_back(meets);
+      active_[c] += meets;
+    }
+  }
+  rays_ += rest_rays.size();
+}
+
+std::vector<uint32_t> RayBundle::see(uint32_t span, uint32_t cell) const {
+  const uint32_t first = space_.grid.spans[span].first_cell, near = cell == 0 ? first : first + cell - 1;
+  const std::vector<Pose>& poses =
+      cell == 0 ? space_.swept.cell_begin_poses(near) : space_.swept.cell_end_poses(near);
+  std::vector<uint32_t> leaves(watched_.size());
+  for (size_t i = 0; i < watched_.size(); ++i) {
+    const Watched& ray = watched_[i];
+    if (moves_) {
+      ++rays_;
+      leaves[i] = space_.leaf_of(
+          space_.tracer.closest(poses, poses[body_] * ray.from, rotate(poses[body_], ray.towards)));
+      continue;
+    }
+    leaves[i] = ray.behind;
+    if (!may_meet(i, near)) continue;
+    ++rays_;
+    const SurfaceHit hit =
+        space_.tracer.closest_of(poses, space_.moving_mask, ray.from, ray.towards, ray.reach);
+    if (hit.polygon != kNone) leaves[i] = space_.leaf_of(hit);
+  }
+  return leaves;
+}
+
+uint32_t RayBundle::surprise(uint32_t first_cell, uint32_t end_cell) const {
+  if (active_.empty()) return 0;
+  const double begin = active_[first_cell], end = active_[end_cell - 1];
+  double most = 0;
+  for (uint32_t c = first_cell + 1; c + 1 < end_cell; ++c) {
+    const double s = static_cast<double>(c - first_cell) / (end_cell - 1 - first_cell);
+    most = std::max(most, std::abs(active_[c] - (begin + s * (end - begin))));
+  }
+  return static_cast<uint32_t>(most);
+}
+
+}  // namespace strad
