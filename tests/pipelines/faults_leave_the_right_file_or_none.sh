@@ -4,6 +4,10 @@
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
 strace -o /dev/null true 2>/dev/null || { echo "strace cannot be used here"; exit 0; }
+if ldd "$(command -v strad-import)" | grep -qE 'lib(asan|tsan|ubsan)'; then
+  echo "sanitizers do not work under strace"
+  exit 0
+fi
 
 scene=$STRAD_SOURCE_DIR/scenes/shutter/shutter
 cp $scene.obj a.obj
