@@ -42,7 +42,7 @@ LeafPoint between(const Mesh& mesh, const uint32_t* vertices, double u, double v
 
 // All data of a corner: corners with equal keys are merged.
 using CornerKey = std::tuple<std::array<uint32_t, 4>, std::array<float, 4>, double, double, double, uint32_t,
-                             bool, bool, double, double>;
+                             bool, bool, double, double, double, double, double>;
 
 // Gathers the corners and triangles of one body.
 class BodyBuilder {
@@ -95,17 +95,31 @@ class BodyBuilder {
       corner.uv = texture_uv(scene_, polygon, parametric_of(scene_, polygon, point.position));
     }
     corner.position = point.position;
+    if (!scene_.normals.empty()) corner.normal = normal_at(polygon, side, point.position);
     if (lifted) corner.position += -lift_ * polygon_normal(scene_, polygon);
     const auto index = static_cast<uint32_t>(body_.corners.size());
     if (point.vertices[0] != kNone) {
       const CornerKey key{point.vertices,   point.weights,   point.position.x, point.position.y,
                           point.position.z, corner.material, corner.textured,  corner.emits,
-                          corner.uv.x,      corner.uv.y};
+                          corner.uv.x,      corner.uv.y,     corner.normal.x,  corner.normal.y,
+                          corner.normal.z};
       const auto [it, added] = index_of_.try_emplace(key, index);
       if (!added) return it->second;
     }
     body_.corners.push_back(corner);
     return index;
+  }
+
+  Vec3 normal_at(const Polygon& polygon, uint32_t side, Vec3 rest_point) const {
+    Vec3 normal = polygon_normal(scene_, polygon);
+    if (polygon.is_smooth()) {
+      const CornerWeights weights = corner_weights(polygon, parametric_of(scene_, polygon, rest_point));
+      Vec3 sum;
+      for (int c = 0; c < polygon.corner_count(); ++c)
+        sum += weights.of[c] * scene_.normals[polygon.normals[c]];
+      if (length(sum) > 1e-6) normal = normalized(sum);
+    }
+    return side == 0 ? normal : -normal;
   }
 
   const Scene& scene_;

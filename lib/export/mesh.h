@@ -22,6 +22,8 @@ struct ExportCorner {
   bool textured = false;
   bool emits = false;
   Vec2 uv;  // where textured
+  // Of the surface, on the side shown: interpolated on smooth surfaces. Only in scenes that have any, else 0.
+  Vec3 normal;  // rest, unit
 };
 
 // The sides of all polygons of one rigid body that can be seen.

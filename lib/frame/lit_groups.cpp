@@ -256,14 +256,17 @@ double unoccluded_irradiance(const LitGroup& group, const SurfacePoint& point, c
   return std::max(0.0, -0.5 * sum);  // outlines run against the clock as seen from the point
 }
 
-void add_shadow_rays(const Tracer& tracer, const Instant& instant, const LitGroup& group,
-                     const SurfacePoint& point, double irradiance, ShadowPoints points, GroupSight* sight,
-                     ShadowRays* shadow) {
+namespace {
+
+// occluded(from, to): is anything between the two points?
+template <typename Occluded>
+void add_rays(const Occluded& occluded, double offset, const LitGroup& group, const SurfacePoint& point,
+              double irradiance, ShadowPoints points, GroupSight* sight, ShadowRays* shadow) {
   if (!(irradiance > 0)) return;
   if (!sight->view) weigh_facets(group, point, sight);
   const std::vector<double>& up_to = sight->view ? sight->view->up_to : sight->up_to;
   if (up_to.empty() || !(up_to.back() > 0)) return;
-  const Vec3 lifted = point.position + tracer.offset() * point.normal;
+  const Vec3 lifted = point.position + offset * point.normal;
   OwenSequence sequence(points.first, hash_of(points.scramble, group.group->polygons.front()));
   for (uint32_t i = 0; i < points.count; ++i) {
     const Point2 at = sequence.next();
@@ -282,10 +285,27 @@ void add_shadow_rays(const Tracer& tracer, const Instant& instant, const LitGrou
     if (!(weight > 0)) continue;
     ++shadow->rays;
     shadow->all += static_cast<float>(weight);
-    if (tracer.occluded(instant.world_from_body, lifted, on_facet + tracer.offset() * facet.normal)) continue;
+    if (occluded(lifted, on_facet + offset * facet.normal)) continue;
     ++shadow->free;
     shadow->seen += static_cast<float>(weight);
   }
+}
+
+}  // namespace
+
+void add_shadow_rays(const Tracer& tracer, const Instant& instant, const LitGroup& group,
+                     const SurfacePoint& point, double irradiance, ShadowPoints points, GroupSight* sight,
+                     ShadowRays* shadow) {
+  const auto occluded = [&](Vec3 from, Vec3 to) {
+    return tracer.occluded(instant.world_from_body, from, to);
+  };
+  add_rays(occluded, tracer.offset(), group, point, irradiance, points, sight, shadow);
+}
+
+void add_shadow_rays(const PosedTracer& tracer, const LitGroup& group, const SurfacePoint& point,
+                     double irradiance, ShadowPoints points, GroupSight* sight, ShadowRays* shadow) {
+  const auto occluded = [&](Vec3 from, Vec3 to) { return tracer.occluded(from, to); };
+  add_rays(occluded, tracer.offset(), group, point, irradiance, points, sight, shadow);
 }
 
 }  // namespace strad

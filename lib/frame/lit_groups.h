@@ -7,6 +7,7 @@
 #include "frame/emitter_groups.h"
 #include "light/emitter.h"
 #include "light/instant.h"
+#include "light/posed_tracer.h"
 #include "light/spotlight.h"
 #include "light/tracer.h"
 
@@ -81,5 +82,8 @@ struct ShadowPoints {
 void add_shadow_rays(const Tracer& tracer, const Instant& instant, const LitGroup& group,
                      const SurfacePoint& point, double irradiance, ShadowPoints points, GroupSight* sight,
                      ShadowRays* shadow);
+// The same for many points of one instant.
+void add_shadow_rays(const PosedTracer& tracer, const LitGroup& group, const SurfacePoint& point,
+                     double irradiance, ShadowPoints points, GroupSight* sight, ShadowRays* shadow);
 
 }  // namespace strad

@@ -70,7 +70,6 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
   if (layers && !trace_direct)
     indirect.emplace(slab, *reconstruction_, *joints_, time, end, FrameLightOptions{false, options.flat});
   FrameView view{scene_,
-                 tracer_,
                  surfaces_,
                  light,
                  {},
@@ -80,7 +79,7 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
                  indirect ? &*indirect : nullptr,
                  static_cast<uint32_t>(options.lamp_samples)};
   for (const double instant : exposure_times(time, options.shutter)) {
-    view.instants.push_back(lights_at(scene_, groups_, instant));
+    view.instants.emplace_back(scene_, tracer_, groups_, instant);
     view.cameras.emplace_back(camera_at(camera, instant), options.width, options.height);
   }
   Image image(options.width, options.height);

@@ -25,7 +25,8 @@ bool continues(const SurfacePoint& a, const SurfacePoint& b) {
 
 Sight look(const FrameView& view, size_t instant, double x, double y) {
   const CameraRays& camera = view.cameras[instant];
-  return view.surfaces.look(view.instants[instant].instant, camera.from(), camera.direction(x, y));
+  const FrameInstant& now = view.instants[instant];
+  return view.surfaces.look(now.tracer, now.lights.instant, camera.from(), camera.direction(x, y));
 }
 
 Sample take_sample(const FrameView& view, size_t instant, double x, double y, ShadowPoints points,
@@ -36,7 +37,7 @@ Sample take_sample(const FrameView& view, size_t instant, double x, double y, Sh
 Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPoints points,
              GroupShare* shares) {
   std::fill(shares, shares + view.group_count, GroupShare{});
-  const LightsAtInstant& lights = view.instants[instant];
+  const FrameInstant& now = view.instants[instant];
   Sample sample;
   sample.point = sight.smooth;
   sample.front = sight.front;
@@ -48,30 +49,28 @@ Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPo
                  ? view.indirect->irradiance(sight.point.polygon, sight.front, sight.at, &sample.leaf)
                  : irradiance);
   SpotRays spot_rays;
-  if (view.trace_direct)
-    irradiance += spots_irradiance(view.tracer, lights.cones, lights.instant, sight.smooth, &spot_rays);
+  if (view.trace_direct) irradiance += now.spots.irradiance(sight.smooth, &spot_rays);
   sample.spots = spot_rays.reached;
   sample.base.all += reflected(sight, irradiance);
   thread_local GroupSight seen;
   for (size_t l = 0; l < view.group_count; ++l) {
-    const LitGroup& group = lights.groups[l];
+    const LitGroup& group = now.lights.groups[l];
     if (is_black(group.radiance)) continue;
     see_group(group, sight.smooth, &seen);
     shares[l].irradiance = unoccluded_irradiance(group, sight.smooth, seen);
     shares[l].radiance = static_cast<float>(shares[l].irradiance) * reflected(sight, group.radiance);
-    add_shadow_rays(view.tracer, lights.instant, group, sight.smooth, shares[l].irradiance, points, &seen,
-                    &shares[l].shadow);
+    add_shadow_rays(now.tracer, group, sight.smooth, shares[l].irradiance, points, &seen, &shares[l].shadow);
   }
   return sample;
 }
 
 void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t group,
                      ShadowPoints points, GroupShare* share) {
-  const LightsAtInstant& lights = view.instants[instant];
+  const FrameInstant& now = view.instants[instant];
   thread_local GroupSight seen;
-  see_group(lights.groups[group], sample.point, &seen);
-  add_shadow_rays(view.tracer, lights.instant, lights.groups[group], sample.point, share->irradiance, points,
-                  &seen, &share->shadow);
+  see_group(now.lights.groups[group], sample.point, &seen);
+  add_shadow_rays(now.tracer, now.lights.groups[group], sample.point, share->irradiance, points, &seen,
+                  &share->shadow);
 }
 
 Light light_of(const FrameView& view, const Sample& sample, const GroupShare* shares) {

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "frame/camera.h"
 #include "frame/frame_light.h"
 #include "frame/lit_groups.h"
 #include "frame/surfaces.h"
+#include "light/posed_spots.h"
 
 namespace strad {
 
@@ -22,15 +24,28 @@ inline Light operator+(const Light& a, const Light& b) {
 }
 inline Light operator*(float s, const Light& a) { return {s * a.all, s * a.indirect, s * a.emission}; }
 
+// An instant of a frame, prepared for rays. Keeps references into itself: it does not move.
+struct FrameInstant {
+  FrameInstant(const Scene& scene, const Tracer& base, const std::vector<EmitterGroup>& groups, double time)
+      : lights(lights_at(scene, groups, time)),
+        tracer(base, scene, lights.instant.world_from_body),
+        spots(tracer, lights.cones, lights.instant) {}
+  FrameInstant(const FrameInstant&) = delete;
+  FrameInstant& operator=(const FrameInstant&) = delete;
+
+  const LightsAtInstant lights;
+  const PosedTracer tracer;
+  const PosedSpots spots;
+};
+
 // All that the samples of one frame share.
 struct FrameView {
   const Scene& scene;
-  const Tracer& tracer;
   const Surfaces& surfaces;
   const FrameLight& light;
-  std::vector<CameraRays> cameras;        // one per instant
-  std::vector<LightsAtInstant> instants;  // of the exposure, evenly spread; one where the shutter is not open
-  size_t group_count = 0;                 // 0 also where direct light comes from the mesh
+  std::vector<CameraRays> cameras;    // one per instant
+  std::deque<FrameInstant> instants;  // of the exposure, evenly spread; one where the shutter is not open
+  size_t group_count = 0;             // 0 also where direct light comes from the mesh
   bool trace_direct = true;
   const FrameLight* indirect = nullptr;  // alone, where `light` has direct light too and somebody asks
   uint32_t lamp_samples = 32;  // shadow rays of a corner to each emitter group in whose penumbra it lies

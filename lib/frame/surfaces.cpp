@@ -73,4 +73,10 @@ Sight Surfaces::look(const Instant& instant, Vec3 from, Vec3 direction) const {
   return at(instant, hit.polygon, hit.front, hit.rest_point);
 }
 
+Sight Surfaces::look(const PosedTracer& tracer, const Instant& instant, Vec3 from, Vec3 direction) const {
+  const SurfaceHit hit = tracer.closest(from, direction);
+  if (hit.polygon == kNone) return {};
+  return at(instant, hit.polygon, hit.front, hit.rest_point);
+}
+
 }  // namespace strad

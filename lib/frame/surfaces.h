@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "light/direct.h"
+#include "light/posed_tracer.h"
 #include "light/tracer.h"
 #include "scene/scene.h"
 
@@ -26,6 +27,8 @@ class Surfaces {
 
   // REQUIRES: `direction` has length 1.
   Sight look(const Instant& instant, Vec3 from, Vec3 direction) const;
+  // The same for many rays of one instant, whose poses `tracer` has.
+  Sight look(const PosedTracer& tracer, const Instant& instant, Vec3 from, Vec3 direction) const;
 
   // The point of a polygon at a rest position on it.
   Sight at(const Instant& instant, uint32_t polygon, bool front, Vec3 rest_point) const;

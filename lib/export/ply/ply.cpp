@@ -12,7 +12,7 @@
 namespace strad {
 namespace {
 
-constexpr size_t kVertexBytes = 27;    // three floats, three bytes, three floats
+constexpr size_t kVertexBytes = 39;    // six or nine floats, three bytes
 constexpr size_t kTriangleBytes = 13;  // a count and three indices
 
 void put(uint32_t word, std::string* out) {
@@ -30,11 +30,11 @@ void put(Rgb c, std::string* out) {
   put(c.b, out);
 }
 
-std::string header(size_t vertices, size_t triangles) {
+std::string header(size_t vertices, size_t triangles, bool normals) {
   return "ply\nformat binary_little_endian 1.0\ncomment strad: world, m; radiance in W / (sr m^2)\nelement "
          "vertex " +
-         std::to_string(vertices) +
-         "\nproperty float x\nproperty float y\nproperty float z\n"
+         std::to_string(vertices) + "\nproperty float x\nproperty float y\nproperty float z\n" +
+         (normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "") +
          "property uchar red\nproperty uchar green\nproperty uchar blue\n"
          "property float radiance_r\nproperty float radiance_g\nproperty float radiance_b\nelement face " +
          std::to_string(triangles) + "\nproperty list uchar uint vertex_indices\nend_header\n";
@@ -82,12 +82,14 @@ std::string PlyExport::frame(double time, double exposure) const {
     vertices += body.corners.size();
     triangles += body.triangles.size();
   }
-  std::string out = header(vertices, triangles);
+  const bool normals = !s.scene.normals.empty();
+  std::string out = header(vertices, triangles, normals);
   out.reserve(out.size() + vertices * kVertexBytes + triangles * kTriangleBytes);
   for (const ExportBody& body : s.meshes[slab]) {
     for (const ExportCorner& corner : body.corners) {
       const Rgb radiance = s.radiance(corner, light, glow);
       put(world_from_body[body.body] * corner.position, &out);
+      if (normals) put(rotate(world_from_body[body.body], corner.normal), &out);
       for (int channel = 0; channel < 3; ++channel) {
         out += static_cast<char>(srgb_byte(scale * radiance[channel]));
       }

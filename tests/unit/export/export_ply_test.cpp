@@ -62,5 +62,32 @@ TEST(PlyExport, ExposureScalesBytesOnly) {
   EXPECT_EQ(static_cast<uint8_t>(bright[12]), srgb_byte(static_cast<float>(1 / kPi)));
 }
 
+// A smooth square whose body is turned by 90 degrees about z: normals are turned with it, and on the back are
+// those of the back. Its corners have the normal (3, 0, 4) / 5, which becomes (0, 3, 4) / 5.
+TEST(PlyExport, HasNormalsWhereSurfacesAreSmooth) {
+  Scene scene = square_scene();
+  scene.normals = {{0.6, 0, 0.8}};
+  for (uint32_t& normal : scene.polygons[0].normals) normal = 0;
+  scene.bodies.push_back(
+      {.name = "turn", .axis = {0, 0, 1}, .keys = {{.time = 0, .move = {}, .turn = kPi / 2, .quat = {}}}});
+  scene.objects[0].body = 1;
+  MeshBuilder builder(scene);
+  builder.face(0, 0);
+  builder.face(0, 1);
+  const Solution solution{{lit_slab(
+      scene, builder.take(), [](Vec3) { return grey(1); }, [](Vec3) { return grey(0); })}};
+  const Ply ply = split(PlyExport(scene, solution).frame(0.5));
+  EXPECT_NE(ply.header.find("property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+                            "property uchar red\n"),
+            std::string::npos);
+  ASSERT_EQ(ply.body.size(), 8u * 39 + 4 * 13);
+  for (size_t v = 0; v < 8; ++v) {
+    const float side = v < 4 ? 1 : -1;
+    EXPECT_NEAR(float_at(ply.body, 39 * v + 12), 0, 1e-6f);
+    EXPECT_NEAR(float_at(ply.body, 39 * v + 16), side * 0.6f, 1e-6f);
+    EXPECT_NEAR(float_at(ply.body, 39 * v + 20), side * 0.8f, 1e-6f);
+  }
+}
+
 }  // namespace
 }  // namespace strad
