@@ -136,9 +136,22 @@ void PovInterpreter::fail_expected(const std::string& expected) {
 const PovValue* PovInterpreter::find(std::string_view name) const {
   for (auto cursor = cursors_.rbegin(); cursor != cursors_.rend(); ++cursor) {
     if (const auto found = cursor->locals.find(name); found != cursor->locals.end()) return &found->second;
+    if (!cursor->names) continue;
+    if (const auto found = cursor->names->values.find(name); found != cursor->names->values.end())
+      return &found->second;
   }
   const auto found = globals_.find(name);
   return found == globals_.end() ? nullptr : &found->second;
+}
+
+void PovInterpreter::set(const std::string& name, const PovNumbers& value) {
+  for (auto cursor = cursors_.rbegin(); cursor != cursors_.rend(); ++cursor) {
+    if (const auto found = cursor->locals.find(name); found != cursor->locals.end()) {
+      found->second = value;
+      return;
+    }
+  }
+  globals_.insert_or_assign(name, value);
 }
 
 void PovInterpreter::declare(const std::string& name, PovValue value, bool local) {
