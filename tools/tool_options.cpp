@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "base/error.h"
+#include "base/likeness.h"
 #include "base/parallel.h"
 
 namespace strad {
@@ -132,6 +133,20 @@ void Options::unrecorded(const std::string& name, bool has_value) {
   state_->unrecorded.push_back({name, has_value});
 }
 
+// For the first option that is unknown: one that is like it.
+std::string Options::like_unknown(int argc, char** argv) const {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : state_->app.get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word(argv[i]);
+    const std::string name(word.substr(0, word.find('=')));
+    if (name.starts_with("--") && std::find(known.begin(), known.end(), name) == known.end())
+      return did_you_mean(name, known);
+  }
+  return "";
+}
+
 void Options::parse(int argc, char** argv) {
   state_->provenance = state_->tool + " " STRAD_VERSION + recorded_arguments(argc, argv, state_->unrecorded);
   try {
@@ -142,6 +157,9 @@ void Options::parse(int argc, char** argv) {
   } catch (const CLI::CallForVersion& version) {
     std::cout << version.what() << std::endl;
     throw Finished{};
+  } catch (const CLI::ExtrasError& error) {
+    throw BadInput(std::string(error.what()) + like_unknown(argc, argv) + "; see " + state_->tool +
+                   " --help");
   } catch (const CLI::ParseError& error) {
     throw BadInput(std::string(error.what()) + "; see " + state_->tool + " --help");
   }

@@ -63,6 +63,7 @@ class Options {
 
  private:
   struct State;
+  std::string like_unknown(int argc, char** argv) const;
   std::unique_ptr<State> state_;
 };
 

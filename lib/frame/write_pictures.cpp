@@ -3,6 +3,8 @@
 #include <functional>
 #include <optional>
 
+#include "frame/plan.h"
+#include "frame/preview.h"
 #include "frame/reference.h"
 #include "image/files.h"
 #include "image/pnm.h"
@@ -14,9 +16,9 @@ namespace {
 
 // Renders each frame, scales it by 2^exposure and writes it to its file or down a pipe.
 void write_each(const FrameRequest& request, const Scene& scene, TimeRange range, double exposure,
-                const Progress& progress, const std::function<Image(const Camera&, double time)>& render) {
+                const Progress& progress, const Camera& camera,
+                const std::function<Image(const Camera&, double time)>& render) {
   const std::vector<FrameTime> frames = requested_frames(request, scene, range);
-  const Camera camera = requested_camera(request, scene);
   std::optional<FilePattern> pattern;
   std::optional<Output> pipe;
   if (goes_to_files(request)) {
@@ -47,7 +49,7 @@ void write_pictures(const FrameRequest& request, const Progress& progress) {
   options.shutter = request.shutter / file.scene().rate;
   Raster raster(file.scene());
   write_each(request, file.scene(), {file.begin(), file.end()}, request.exposure, progress,
-             [&](const Camera& camera, double time) {
+             requested_camera(request, file.scene()), [&](const Camera& camera, double time) {
                const Slab& slab = file.slab_for(time, time + options.shutter, parts_for(options));
                return raster.render(slab, camera, time, options);
              });
@@ -63,6 +65,7 @@ void write_references(const FrameRequest& request, const Progress& progress) {
   options.seed = request.seed;
   const Reference reference(scene);
   write_each(request, scene, {scene.start, scene.end, "the animation"}, request.exposure, progress,
+             requested_camera(request, scene),
              [&](const Camera& camera, double time) { return reference.render(camera, time, options); });
 }
 
@@ -77,16 +80,40 @@ void write_shows(const FrameRequest& request, const Progress& progress) {
   if (!needs_solution(options.what)) {
     const Scene scene = read_stream(request.stream).scene;
     const Show show(scene);
-    write_each(
-        request, scene, {scene.start, scene.end, "the animation"}, 0, progress,
-        [&](const Camera& camera, double time) { return show.render(nullptr, camera, time, options); });
+    write_each(request, scene, {scene.start, scene.end, "the animation"}, 0, progress,
+               requested_camera(request, scene), [&](const Camera& camera, double time) {
+                 return show.render(nullptr, camera, time, options);
+               });
     return;
   }
   SolutionFile file(request.stream);
   const Show show(file.scene());
   write_each(request, file.scene(), {file.begin(), file.end()}, 0, progress,
-             [&](const Camera& camera, double time) {
+             requested_camera(request, file.scene()), [&](const Camera& camera, double time) {
                return show.render(&file.slab_at(time), camera, time, options);
+             });
+}
+
+void write_previews(const FrameRequest& request, const Progress& progress) {
+  const Scene scene = read_stream(request.stream).scene;
+  const Preview preview(scene);
+  write_each(request, scene, {scene.start, scene.end, "the animation"}, request.exposure, progress,
+             requested_camera(request, scene), [&](const Camera& camera, double time) {
+               return preview.render(camera, time, request.raster.width, request.raster.height);
+             });
+}
+
+void write_plans(const FrameRequest& request, const Progress& progress) {
+  const Scene scene = read_stream(request.stream).scene;
+  const bool has_camera = !request.camera_at.empty() || !scene.cameras.empty();
+  const Camera camera = has_camera ? requested_camera(request, scene) : Camera{};
+  PlanOptions options;
+  options.width = request.raster.width;
+  options.height = request.raster.height;
+  if (has_camera) options.up = camera.keys.front().up;
+  write_each(request, scene, {scene.start, scene.end, "the animation"}, 0, progress,
+             has_camera ? camera : Camera{"", {{}}}, [&](const Camera&, double time) {
+               return plan_of(scene, has_camera ? &camera : nullptr, time, options);
              });
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "base/likeness.h"
 #include "base/text.h"
 #include "scene/motion_blocks.h"
 #include "scene/motion_keys.h"
@@ -52,6 +53,12 @@ uint32_t body_named(const MotionName& on, const std::string& file, const Scene& 
   return body;
 }
 
+std::string like_object(const std::string& name, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Object& object : scene.objects) names.push_back(object.name);
+  return did_you_mean(name, names);
+}
+
 void claim_part(const MotionName& part, uint32_t body, const std::string& file, Scene& scene) {
   bool matched = false;
   for (Object& object : scene.objects) {
@@ -65,7 +72,7 @@ void claim_part(const MotionName& part, uint32_t body, const std::string& file, 
   }
   if (!matched)
     fail_at(file, part.line, "no object named " + in_quotes(part.name),
-            "a name or pattern of objects (" + names_of(scene.objects) + ")");
+            "a name or pattern of objects (" + names_of(scene.objects) + ")" + like_object(part.name, scene));
 }
 
 void refuse_cycle(uint32_t body, const MotionName& on, const std::string& file, const Scene& scene) {
