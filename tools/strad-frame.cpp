@@ -20,7 +20,7 @@ constexpr int kMaxPaths = 100'000'000;
 struct FrameTool {
   Common common;
   FrameRequest request;
-  bool pov = false, ply = false;
+  bool pov = false, ply = false, preview = false, plan = false;
   std::optional<int> reference, seed;
   std::string show, exposure, layers;
   std::optional<double> within;
@@ -76,7 +76,18 @@ Encoding encoding_of(const FrameTool& tool) {
   return encoding;
 }
 
+void check_preview(const FrameTool& tool) {
+  if (!tool.preview && !tool.plan) return;
+  const std::string option = tool.preview ? "--preview" : "--plan";
+  if (tool.preview && tool.plan) throw BadInput("--preview and --plan: found both, expected one of them");
+  if (tool.pov || tool.ply || tool.reference || tool.request.raster.flat || !tool.show.empty() ||
+      tool.request.shutter > 0)
+    throw BadInput(option +
+                   ": for pictures, without --pov, --ply, --reference, --flat, --show and --shutter");
+}
+
 void check(const FrameTool& tool) {
+  check_preview(tool);
   check_reference(tool);
   check_show(tool);
   const FrameRequest& request = tool.request;
@@ -128,6 +139,8 @@ FrameTool parse_options(int argc, char** argv) {
   options.choice("--direct", {"pixel", "mesh"}, &direct,
                  "direct light by shadow rays, or from the solution (default pixel)");
   options.flag("--flat", &request.raster.flat, "show the elements of the solution as they are");
+  options.flag("--preview", &tool.preview, "show the scene at once, without a solution and without shadows");
+  options.flag("--plan", &tool.plan, "show the scene from above: paths, cones of spotlights, the camera");
   options.integer("--reference", "N", &tool.reference,
                   "trace N paths per pixel and leave the solution aside: slow, noisy, unbiased");
   options.integer("--seed", "S", &tool.seed, "of the noise of --reference (default 0)");
@@ -182,6 +195,10 @@ int write_frames(const FrameTool& tool) {
     write_pov(tool.request, progress);
   } else if (tool.ply) {
     write_ply(tool.request, progress);
+  } else if (tool.preview) {
+    write_previews(tool.request, progress);
+  } else if (tool.plan) {
+    write_plans(tool.request, progress);
   } else if (tool.request.reference > 0) {
     write_references(tool.request, progress);
   } else if (tool.request.show) {

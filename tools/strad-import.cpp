@@ -6,6 +6,7 @@
 #include "import/gltf/gltf.h"
 #include "import/import.h"
 #include "import/obj/obj.h"
+#include "import/other_formats.h"
 #include "import/pov/ini.h"
 #include "import/pov/pov.h"
 #include "tool.h"
@@ -117,6 +118,7 @@ void set_frames(const ImportTool& tool, PovAnimation* animation) {
 
 Scene read_scene(const ImportTool& tool, ImportReport* report) {
   const std::string format = format_of(tool);
+  refuse_other_format(tool.path, format);
   if (format == "gltf") {
     if (!tool.frames.empty() || !tool.clock.empty())
       throw BadInput("--frames and --clock: for POV-Ray animations; glTF has times of its own");

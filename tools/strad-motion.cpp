@@ -1,6 +1,7 @@
 // strad-motion: compiles a motion file onto a scene stream: bodies, spotlights, glows, cameras, interval and
 // rate. Or prints the motion that a stream has.
 #include "base/text.h"
+#include "frame/warnings.h"
 #include "scene/motion_io.h"
 #include "scene/motion_print.h"
 #include "scene/motion_text.h"
@@ -74,6 +75,8 @@ int compile(const MotionTool& tool) {
     drop_work(&stream.others);
     note(tool.common, "the stream's solution is dropped, for the motion has changed: solve again");
   }
+  if (!tool.common.quiet)
+    for (const std::string& warning : warnings_of(stream.scene)) note(tool.common, "warning: " + warning);
   detail(tool.common, stream_summary(tool.motion, stream));
   const bool changed = before.all != after.all || before.of_light != after.of_light;
   write_stream(std::move(stream), changed ? tool.provenance : "", tool.common);

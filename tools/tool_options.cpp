@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "base/error.h"
+#include "base/likeness.h"
 #include "base/parallel.h"
 
 namespace strad {
@@ -35,8 +36,7 @@ struct Options::State {
       std::vector<std::string> names;
       for (const CLI::Option* option : app.get_options())
         for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-      const std::string meant = likely_word(typed, names);
-      return "found the unknown option " + typed + (meant.empty() ? "" : ", is " + meant + " meant?");
+      return "found the unknown option " + typed + did_you_mean(typed, names);
     }
     return "found '" + (extras.empty() ? "" : extras.front()) + "', expected no more file names";
   }

@@ -18,24 +18,6 @@ bool read_all(std::string_view text, Number* number) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-// Letters changed, left out, added or swapped with the next (Damerau 1964) between two words.
-size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::vector<size_t>> cost(a.size() + 1, std::vector<size_t>(b.size() + 1));
-  for (size_t i = 0; i <= a.size(); ++i) {
-    for (size_t j = 0; j <= b.size(); ++j) {
-      if (i == 0 || j == 0) {
-        cost[i][j] = i + j;
-        continue;
-      }
-      const size_t changed = a[i - 1] == b[j - 1] ? 0 : 1;
-      cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + changed});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
-    }
-  }
-  return cost[a.size()][b.size()];
-}
-
 // A word, quoted so that a shell reads it as one word.
 std::string quoted(std::string word) {
   word = repaired_utf8(word);
@@ -118,18 +100,6 @@ std::array<double, 3> parse_triple(std::string_view text, const std::string& wha
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 3) fail_option(what, text, "three numbers with commas between");
   return {parse_number(parts[0], what), parse_number(parts[1], what), parse_number(parts[2], what)};
-}
-
-std::string likely_word(const std::string& typed, const std::vector<std::string>& words) {
-  std::string best;
-  size_t least = typed.size() / 3;  // so many letters may be wrong
-  for (const std::string& word : words) {
-    const size_t distance = edit_distance(typed, word);
-    if (distance > least || (distance == least && !best.empty())) continue;
-    best = word;
-    least = distance;
-  }
-  return best;
 }
 
 std::string recorded_arguments(int argc, char** argv, const std::vector<Unrecorded>& unrecorded) {

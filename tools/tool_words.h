@@ -22,9 +22,6 @@ std::vector<std::string> split(std::string_view text, char separator);
 
 [[noreturn]] void fail_option(const std::string& what, std::string_view found, const std::string& expected);
 
-// The one of `words` that was probably meant; empty if none is like `typed`.
-std::string likely_word(const std::string& typed, const std::vector<std::string>& words);
-
 // An option that does not change the result, such as -j, and is left out of the record.
 struct Unrecorded {
   std::string name;

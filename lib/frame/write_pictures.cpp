@@ -6,6 +6,8 @@
 #include "frame/auto_exposure.h"
 #include "frame/frame_facts.h"
 #include "frame/layered_frame.h"
+#include "frame/plan.h"
+#include "frame/preview.h"
 #include "frame/reference.h"
 #include "image/files.h"
 #include "image/pnm.h"
@@ -43,9 +45,9 @@ class PictureOutput {
 
 // Renders each frame, scales it by 2^exposure and writes it.
 void write_each(const FrameRequest& request, const Scene& scene, TimeRange range, double exposure,
-                const Progress& progress, const std::function<Image(const Camera&, double time)>& render) {
+                const Progress& progress, const Camera& camera,
+                const std::function<Image(const Camera&, double time)>& render) {
   const std::vector<FrameTime> frames = requested_frames(request, scene, range);
-  const Camera camera = requested_camera(request, scene);
   PictureOutput output(request, frames);
   for (size_t i = 0; i < frames.size(); ++i) {
     report_frame(progress, i, frames.size(), frames[i].number);
@@ -95,9 +97,10 @@ double write_pictures(const FrameRequest& request, const Progress& progress) {
                        });
     return exposure;
   }
-  write_each(request, file.scene(), range, exposure, progress, [&](const Camera& camera, double time) {
-    return raster.render(slab_for(time), camera, time, options);
-  });
+  write_each(request, file.scene(), range, exposure, progress, requested_camera(request, file.scene()),
+             [&](const Camera& camera, double time) {
+               return raster.render(slab_for(time), camera, time, options);
+             });
   return exposure;
 }
 
@@ -111,6 +114,7 @@ void write_references(const FrameRequest& request, const Progress& progress) {
   options.seed = request.seed;
   const Reference reference(scene);
   write_each(request, scene, {scene.start, scene.end, "the animation"}, request.exposure, progress,
+             requested_camera(request, scene),
              [&](const Camera& camera, double time) { return reference.render(camera, time, options); });
 }
 
@@ -125,16 +129,40 @@ void write_shows(const FrameRequest& request, const Progress& progress) {
   if (!needs_solution(options.what)) {
     const Scene scene = read_stream(request.stream).scene;
     const Show show(scene);
-    write_each(
-        request, scene, {scene.start, scene.end, "the animation"}, 0, progress,
-        [&](const Camera& camera, double time) { return show.render(nullptr, camera, time, options); });
+    write_each(request, scene, {scene.start, scene.end, "the animation"}, 0, progress,
+               requested_camera(request, scene), [&](const Camera& camera, double time) {
+                 return show.render(nullptr, camera, time, options);
+               });
     return;
   }
   SolutionFile file(request.stream);
   const Show show(file.scene());
   write_each(request, file.scene(), {file.begin(), file.end()}, 0, progress,
-             [&](const Camera& camera, double time) {
+             requested_camera(request, file.scene()), [&](const Camera& camera, double time) {
                return show.render(&file.slab_at(time), camera, time, options);
+             });
+}
+
+void write_previews(const FrameRequest& request, const Progress& progress) {
+  const Scene scene = read_stream(request.stream).scene;
+  const Preview preview(scene);
+  write_each(request, scene, {scene.start, scene.end, "the animation"}, request.exposure, progress,
+             requested_camera(request, scene), [&](const Camera& camera, double time) {
+               return preview.render(camera, time, request.raster.width, request.raster.height);
+             });
+}
+
+void write_plans(const FrameRequest& request, const Progress& progress) {
+  const Scene scene = read_stream(request.stream).scene;
+  const bool has_camera = !request.camera_at.empty() || !scene.cameras.empty();
+  const Camera camera = has_camera ? requested_camera(request, scene) : Camera{};
+  PlanOptions options;
+  options.width = request.raster.width;
+  options.height = request.raster.height;
+  if (has_camera) options.up = camera.keys.front().up;
+  write_each(request, scene, {scene.start, scene.end, "the animation"}, 0, progress,
+             has_camera ? camera : Camera{"", {{}}}, [&](const Camera&, double time) {
+               return plan_of(scene, has_camera ? &camera : nullptr, time, options);
              });
 }
 

@@ -27,6 +27,12 @@ std::vector<std::string> ImportReport::lines() const {
   return lines;
 }
 
+std::string ImportReport::first_left_out() const {
+  for (const std::string& line : lines())
+    if (line.find("left out") != line.npos) return line;
+  return "";
+}
+
 void refuse_missing(const std::string& what, const std::string& file, uint32_t line,
                     const SkipOptions& options, ImportReport* report) {
   if (!options.skip_missing) fail_at(file, line, what);

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "base/error.h"
+#include "base/likeness.h"
 #include "base/text.h"
 #include "scene/motion_blocks.h"
 #include "scene/motion_keys.h"
@@ -58,6 +59,12 @@ uint32_t MotionCompiler::body_named(const MotionName& on) const {
   return body;
 }
 
+std::string like_object(const std::string& name, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Object& object : scene.objects) names.push_back(object.name);
+  return did_you_mean(name, names);
+}
+
 void MotionCompiler::claim(uint32_t index, const MotionName& part, uint32_t body) {
   Object& object = scene_.objects[index];
   if (object.body != 0 && object.body != body)
@@ -83,8 +90,9 @@ void MotionCompiler::claim_part(const MotionName& part, uint32_t body) {
     }
   }
   if (!matched)
-    fail_at(file_, part.line, "no object named " + in_quotes(part.name),
-            "a name or pattern of objects (" + names_of(scene_.objects) + ")");
+    fail_at(
+        file_, part.line, "no object named " + in_quotes(part.name),
+        "a name or pattern of objects (" + names_of(scene_.objects) + ")" + like_object(part.name, scene_));
 }
 
 // REQUIRES: `body` is in a cycle.

@@ -16,12 +16,13 @@ camera {
   angle 70
 }
 
-// The lamp under the ceiling dims to a fifth. A panel that falls with the cosine.
+// The lamp under the ceiling dims to a fifth. A panel that falls with the cosine. Beyond a short fade_distance its light
+// falls with the square of the distance in POV-Ray, too.
 light_source {
-  <0, 2.98, 0>, rgb 1.2 * (1 - 0.8 * clock)
+  <0, 2.98, 0>, rgb 120 * (1 - 0.8 * clock)
   spotlight point_at <0, 0, 0> radius 90 falloff 90 tightness 1
   area_light <1.2, 0, 0>, <0, 0, 0.8>, 5, 5 adaptive 1
-  fade_distance 1 fade_power 2
+  fade_distance 0.1 fade_power 2
 }
 
 // The room, open for the camera only because it stands inside.
@@ -51,8 +52,8 @@ object { Hook rotate -y * 400 * clock translate <1.45, 2.2, 0> rotate y * 200 * 
 #declare Way = (clock < 0.6 ? 5 * clock : 3 - 3.75 * (clock - 0.6));
 #declare Wheel = cylinder { <0, 0, -0.06>, <0, 0, 0.06>, 0.2 texture { Rubber } }
 #declare Headlight = light_source {
-  <0.52, 0.5, 0>, rgb <0.9, 0.8, 0.6>
-  spotlight point_at <2, 0.2, 0> radius 15 falloff 28 fade_distance 1 fade_power 2
+  <0.52, 0.5, 0>, rgb <90, 80, 60>
+  spotlight point_at <2, 0.2, 0> radius 15 falloff 28 fade_distance 0.1 fade_power 2
 }
 union {
   box { <-0.5, 0.25, -0.3>, <0.5, 0.7, 0.3> texture { Brick } }

@@ -13,6 +13,8 @@ only() {  # only PATTERN FILES-PATTERN
 }
 only 'embree3/' 'lib/light/*.cpp'
 only 'tiny_obj_loader' 'lib/import/obj/*.cpp'
+only 'clipper\.hpp' 'lib/import/pov/*.cpp'
+only 'ft2build\.h' 'lib/import/pov/*.cpp'
 only 'OpenImageIO/' 'lib/image/module/*.cpp'
 only 'OpenEXR/' 'lib/image/*.cpp'
 only 'png\.h' 'lib/image/*.cpp'

@@ -38,7 +38,7 @@ refused "--rel-rmse: found '1%', expected a plain number: 0.01" strad-diff --rel
 refused "-e,--error: found '2%', expected a plain number: 0.02" strad-solve -e 2% scene.strad
 refused "the slab's end: found 1000.000000 s, expected a time in the animation" strad-solve --time 0:1000 scene.strad
 refused '--time: found 1000 s, but the solution holds' strad-frame --time 1000 solved.strad
-refused 'found the unknown option --erorr, is --error meant?; see strad-solve --help' strad-solve --erorr 0.1 scene.strad
-refused 'found the unknown option --sampels, is --samples meant?' strad-frame solved.strad --sampels=4
+refused 'found the unknown option --erorr, did you mean --error?; see strad-solve --help' strad-solve --erorr 0.1 scene.strad
+refused 'found the unknown option --sampels, did you mean --samples?' strad-frame solved.strad --sampels=4
 refused 'found the unknown option --xyzzy; see' strad-info --xyzzy solved.strad
 refused "found 'two', expected no more file names" strad-info solved.strad two

@@ -10,6 +10,7 @@
 #include "import/load_texture.h"
 #include "import/polygonize.h"
 #include "import/poses/few_scene_keys.h"
+#include "scene/texture.h"
 
 namespace strad {
 
@@ -42,16 +43,43 @@ uint32_t PovBuilder::texture_of(const PovImage& image, const PovPlace& place) {
   return textures_[image.path] = static_cast<uint32_t>(scene_.textures.size() - 1);
 }
 
-uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& object_name) {
+Rgb PovBuilder::mean_of(const PovImage& image, const PovPlace& place) {
+  if (const auto known = image_means_.find(image.path); known != image_means_.end()) return known->second;
+  const size_t before = scene_.textures.size();
+  const uint32_t texture = texture_of(image, place);
+  Rgb mean{1, 1, 1};
+  if (texture != kNone) mean = mean_colour(scene_.textures[texture]);
+  if (scene_.textures.size() > before) {  // only for its mean
+    scene_.textures.pop_back();
+    textures_.erase(image.path);
+  }
+  return image_means_[image.path] = mean;
+}
+
+uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& object_name, bool mapped) {
   const bool named = !surface.name.empty();
-  if (const auto known = material_of_surface_.find(&surface); named && known != material_of_surface_.end())
+  if (const auto known = material_of_surface_.find({&surface, mapped});
+      named && known != material_of_surface_.end())
     return known->second;
   for (const PovProblem& problem : surface.problems) refuse(problem, options_, report_);
   for (const PovProblem& note : surface.notes) report_->add(note.what, note.place.file, note.place.line);
   Material material;
   const std::string name = named ? surface.name : object_name;
+  material.reflectance = surface.reflectance;
+  if (surface.image && !mapped) {
+    material.reflectance = material.reflectance * mean_of(*surface.image, surface.place);
+    report_->add("image_map without uv_vectors is taken as its mean colour", surface.place.file,
+                 surface.place.line);
+  }
+  for (int c = 0; c < 3; ++c) {
+    if (!std::isfinite(material.reflectance[c]))
+      fail_at(surface.place.file, surface.place.line, "a reflectance is not finite");
+    if (material.reflectance[c] < 0)
+      report_->add("negative reflectance is taken as 0", surface.place.file, surface.place.line);
+    material.reflectance[c] = std::clamp(material.reflectance[c], 0.0f, 1.0f);
+  }
   material.reflectance =
-      limited_reflectance(surface.reflectance, surface.place.file, surface.place.line, report_);
+      limited_reflectance(material.reflectance, surface.place.file, surface.place.line, report_);
   const Varying varying = emission_of(surface);
   material.emission = overridden_emission(varying.emission, name, options_);
   if (!is_finite(material.emission))
@@ -61,7 +89,7 @@ uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& o
     report_->add("negative emission is taken as 0", surface.place.file, surface.place.line);
     material.emission[c] = 0;
   }
-  if (surface.image) material.texture = texture_of(*surface.image, surface.place);
+  if (surface.image && mapped) material.texture = texture_of(*surface.image, surface.place);
   const Rgb r = material.reflectance, e = material.emission;
   const auto same_glow = std::find(glows_.begin(), glows_.end(), varying.keys);
   const auto glow = static_cast<size_t>(same_glow - glows_.begin());
@@ -74,13 +102,17 @@ uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& o
     if (!varying.keys.empty()) scene_.glows.push_back({found->second, varying.keys});
     scene_.materials.push_back(material);
   }
-  if (named) material_of_surface_[&surface] = found->second;
+  if (named) material_of_surface_[{&surface, mapped}] = found->second;
   return found->second;
 }
 
 // A glowing surface with no_shadow is the picture of a lamp around a light source. The light source lights
 // the scene, so the surface must not.
 bool PovBuilder::left_out(const PovFacet& facet, const PovObject& object) {
+  if (facet.surface->clear) {
+    report_->add("clear surface left out: all light passes", object.place.file, object.place.line);
+    return true;
+  }
   if (!facet.no_shadow) return false;
   if (is_black(facet.surface->emission)) {
     report_->add("no_shadow is ignored: all surfaces cast shadows", object.place.file, object.place.line);
@@ -116,10 +148,8 @@ void PovBuilder::add_facet(const PovFacet& facet, const PovObject& object, uint3
   if (kind == Outline::kCrossing)
     report_->add("face that crosses itself left out in part", object.place.file, object.place.line);
   if (pieces.empty()) return;
-  const uint32_t material = material_of(*facet.surface, object_name);
+  const uint32_t material = material_of(*facet.surface, object_name, !facet.uvs.empty());
   const bool textured = scene_.materials[material].texture != kNone;
-  if (textured && facet.uvs.empty())
-    refuse({"image_map without uv_vectors", facet.surface->place}, options_, report_);
   for (const OutlinePiece& piece : pieces) {
     Polygon polygon;
     Vec3 normals[4];
@@ -129,10 +159,11 @@ void PovBuilder::add_facet(const PovFacet& facet, const PovObject& object, uint3
       const size_t i = at(static_cast<size_t>(piece.corners[k]));
       polygon.corners[k] = corners[i];
       if (textured && !facet.uvs.empty()) polygon.uvs[k] = uv(object.uvs[facet.uvs[i]]);
-      if (!facet.normals.empty()) normals[k] = placed(facet.normals[i]);
+      if (facet.normals.size() == facet.corners.size()) normals[k] = placed(facet.normals[i]);
     }
-    const bool given = !facet.normals.empty() && std::all_of(normals, normals + polygon.corner_count(),
-                                                             [](Vec3 n) { return length(n) > 0; });
+    const bool given =
+        facet.normals.size() == facet.corners.size() &&
+        std::all_of(normals, normals + polygon.corner_count(), [](Vec3 n) { return length(n) > 0; });
     if (given && normals_.set(&polygon, normals) == NormalsGiven::kContrary)
       report_->add("face whose normals lie on both of its sides is drawn flat", object.place.file,
                    object.place.line);

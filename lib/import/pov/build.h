@@ -49,7 +49,9 @@ class PovBuilder {
                  const std::string& object_name);
   uint32_t vertex(Vec3 p);
   uint32_t uv(Vec2 p);
-  uint32_t material_of(const PovSurface& surface, const std::string& object_name);
+  // `mapped`: it has texture coordinates; a picture without them is taken as its mean colour.
+  uint32_t material_of(const PovSurface& surface, const std::string& object_name, bool mapped);
+  Rgb mean_of(const PovImage& image, const PovPlace& place);
   uint32_t texture_of(const PovImage& image, const PovPlace& place);
   Vec3 placed(Vec3 v) const { return mirror_ ? Vec3{v.x, v.y, 0 - v.z} : v; }  // no -0
 
@@ -79,7 +81,8 @@ class PovBuilder {
   SmoothNormals normals_{&scene_};
   std::map<std::tuple<float, float, float>, uint32_t> vertices_;
   UniqueNames object_names_, material_names_, spot_names_;
-  std::map<const PovSurface*, uint32_t> material_of_surface_;
+  std::map<std::pair<const PovSurface*, bool>, uint32_t> material_of_surface_;  // mapped or not
+  std::map<std::string, Rgb> image_means_;
   std::map<std::tuple<std::string, float, float, float, float, float, float, uint32_t, size_t>, uint32_t>
       materials_;
   std::vector<std::vector<GlowKey>> glows_;  // those that materials have, each once; the first is none

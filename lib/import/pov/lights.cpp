@@ -61,7 +61,7 @@ void PovSceneReader::light_item(PovLight* light) {
   } else if (in_.take_if("radius")) {
     light->radius = in_.number();
   } else if (in_.take_if("falloff")) {
-    light->falloff = in_.number();
+    light->falloff = std::abs(in_.number());  // POV-Ray takes its cosine
   } else if (in_.take_if("tightness")) {
     light->tightness = in_.number();
   } else if (in_.take_if("fade_distance")) {

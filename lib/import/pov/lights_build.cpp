@@ -46,6 +46,8 @@ Rgb PovBuilder::intensity_of(const PovLight& light) {
 void PovBuilder::add_light(const PovPlaced& placed, size_t index, size_t number) {
   const PovLight& light = placed.object.lights[number];
   for (const PovProblem& problem : light.problems) refuse(problem, options_, report_);
+  if (std::min({light.colour.r, light.colour.g, light.colour.b}) < 0)
+    return refuse({"a light of negative colour", light.place}, options_, report_);
   if (light.name.starts_with(kOwnLamps)) return;
   Light found{light, {}, {}};
   if (followed_) found.history = followed_->light_history(index, number);

@@ -3,24 +3,29 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "import/pov/csg.h"
+#include "import/pov/implicit.h"
+#include "import/pov/looks.h"
 #include "import/pov/scene_reader.h"
 #include "import/pov/shapes.h"
+#include "import/pov/solids.h"
 #include "import/unique_names.h"
 
 namespace strad {
 namespace {
 
 bool is_object(std::string_view word) {
-  return is_one_of(word, {"object", "box", "sphere", "cylinder", "cone", "disc", "plane", "triangle",
-                          "smooth_triangle", "polygon", "mesh", "mesh2", "union", "merge"});
+  return is_one_of(word, {"object",       "box",        "sphere",     "cylinder",        "cone",
+                          "disc",         "plane",      "triangle",   "smooth_triangle", "polygon",
+                          "mesh",         "mesh2",      "union",      "merge",           "torus",
+                          "lathe",        "sor",        "prism",      "superellipsoid",  "text",
+                          "intersection", "difference", "blob",       "quadric",         "cubic",
+                          "quartic",      "poly",       "isosurface", "bicubic_patch"});
 }
 
 bool is_unknown_object(std::string_view word) {
-  return is_one_of(
-      word, {"bicubic_patch", "blob",          "cubic",          "difference", "height_field", "intersection",
-             "isosurface",    "julia_fractal", "lathe",          "lemon",      "light_group",  "ovus",
-             "parametric",    "poly",          "polynomial",     "prism",      "quadric",      "quartic",
-             "sor",           "sphere_sweep",  "superellipsoid", "text",       "torus"});
+  return is_one_of(word, {"height_field", "julia_fractal", "lemon", "light_group", "ovus", "parametric",
+                          "polynomial", "sphere_sweep"});
 }
 
 size_t bytes_of(const PovObject& object) {
@@ -57,22 +62,19 @@ void add_child(PovObject* object, UniqueNames* names, const PovObject& child, co
   object->lights.insert(object->lights.end(), child.lights.begin(), child.lights.end());
   object->problems.insert(object->problems.end(), child.problems.begin(), child.problems.end());
   object->notes.insert(object->notes.end(), child.notes.begin(), child.notes.end());
-  if (child.plane) object->problems.push_back({"plane without bounds (clipped_by a box)", child.place});
+  object->endless = object->endless || child.endless;
+  if (child.solid.kind != PovSolid::kNothing) object->solid.parts.push_back(child.solid);
 }
 
 }  // namespace
 
 std::any PovSceneReader::describe(std::string_view word) {
   if (is_object(word) || is_unknown_object(word)) return std::make_shared<const PovObject>(object());
-  if (in_.take_if("texture")) {
-    PovTexture texture = texture_block(default_texture_);
-    // Of layered textures the last is on top.
-    while (in_.next_is_plainly("texture")) in_.take(), texture = texture_block(default_texture_);
-    return texture;
-  }
+  if (in_.take_if("texture")) return layers(texture_block(default_texture_));
   if (in_.take_if("material")) return material_block(default_texture_);
   if (in_.take_if("pigment")) return pigment_block(default_texture_.pigment);
   if (in_.take_if("finish")) return finish_block(default_texture_.finish);
+  if (is_one_of(word, {"color_map", "colour_map", "pigment_map", "texture_map"})) return map_block();
   if (in_.take_if("transform")) return transform_block();
   if (in_.take_if("light_source")) return light_block();
   if (in_.take_if("camera")) return camera_block();
@@ -91,6 +93,7 @@ void PovSceneReader::name_declared(const std::string& name, std::any* value) {
 void PovSceneReader::read(const std::string& path) {
   in_.open(path);
   while (in_.peek().kind != PovKind::kEnd) statement();
+  judge_sky();
 }
 
 void PovSceneReader::statement() {
@@ -101,10 +104,10 @@ void PovSceneReader::statement() {
   if (is_object(word) || is_unknown_object(word)) {
     std::string name;
     PovObject made = object(&name);
+    pov_make_pending(&made, {}, cells());
     const PovSurfacePointer plain = surface_of(default_texture_);
     for (PovFacet& facet : made.facets)
       if (!facet.surface) facet.surface = plain;
-    if (made.plane) made.problems.push_back({"plane without bounds (clipped_by a box)", at});
     placed_.push_back({name, std::move(made)});
   } else if (in_.take_if("light_source")) {
     PovObject carrier;
@@ -113,20 +116,18 @@ void PovSceneReader::statement() {
     placed_.push_back({"light_source", std::move(carrier)});
   } else if (in_.take_if("camera")) {
     camera_ = camera_block();
-  } else if (in_.take_if("global_settings")) {
-    in_.skip_block();
-  } else if (in_.take_if("background")) {
-    in_.expect("{");
-    if (!is_black(in_.colour())) refuse({"background light", at}, options_, report_);
-    in_.expect("}");
-  } else if (is_one_of(word, {"sky_sphere", "fog", "rainbow", "media", "photons"})) {
-    refuse({word, at}, options_, report_);
-    in_.skip_item();
-  } else {
+  } else if (in_.take_if("default")) {  // an old form of #default
+    default_block();
+  } else if (!statement_of_air(word, at)) {
     if (!options_.skip_unknown) in_.fail_expected("an object, a light or a directive");
     refuse({in_quotes(word), at}, options_, report_);
     in_.skip_item();
   }
+}
+
+bool PovSceneReader::object_is_next() {
+  return in_.peek().kind == PovKind::kWord &&
+         (is_object(in_.peek().text) || is_unknown_object(in_.peek().text));
 }
 
 PovObject PovSceneReader::object(std::string* name) {
@@ -171,6 +172,17 @@ PovObject PovSceneReader::shape(const std::string& kind, std::string* name) {
   if (kind == "mesh") return mesh_shape();
   if (kind == "mesh2") return mesh2_shape();
   if (kind == "union" || kind == "merge") return union_shape();
+  if (kind == "torus") return torus_shape();
+  if (kind == "lathe") return lathe_shape();
+  if (kind == "sor") return sor_shape();
+  if (kind == "prism") return prism_shape();
+  if (kind == "superellipsoid") return superellipsoid_shape();
+  if (kind == "text") return text_shape();
+  if (is_one_of(kind, {"quadric", "cubic", "quartic", "poly"})) return polynomial_shape(kind);
+  if (kind == "blob") return blob_shape();
+  if (kind == "isosurface") return isosurface_shape();
+  if (kind == "bicubic_patch") return patch_shape();
+  if (kind == "intersection" || kind == "difference") return intersection_shape(kind == "difference");
   // object { ... } holds a light or another object.
   PovObject made;
   if (auto light = in_.named<PovLight>(name)) {
@@ -182,9 +194,7 @@ PovObject PovSceneReader::shape(const std::string& kind, std::string* name) {
     made.lights.push_back(light_block());
     return made;
   }
-  if (in_.peek().kind != PovKind::kWord ||
-      !(is_object(in_.peek().text) || is_unknown_object(in_.peek().text)))
-    in_.fail_expected("an object");
+  if (!object_is_next()) in_.fail_expected("an object");
   return object();
 }
 
@@ -192,12 +202,14 @@ PovObject PovSceneReader::union_shape() {
   PovObject made;
   made.compound = true;
   made.shapes.clear();
+  made.solid.kind = PovSolid::kUnion;
   UniqueNames names;
   while (in_.peek().kind == PovKind::kWord) {
     if (is_object(in_.peek().text) || is_unknown_object(in_.peek().text)) {
       const bool may_be_named = in_.next_is("object");
       std::string name;
-      const PovObject child = object(&name);
+      PovObject child = object(&name);
+      pov_make_pending(&child, {}, cells());
       add_child(&made, &names, child, may_be_named && name != "object" ? name : "");
     } else if (in_.take_if("light_source")) {
       made.lights.push_back(light_block());
@@ -208,23 +220,33 @@ PovObject PovSceneReader::union_shape() {
   return made;
 }
 
-// clipped_by or bounded_by { a convex object } of a plane: makes it finite. Later transformations move the
-// cut plane as a whole.
+// clipped_by { objects }, of a plane also bounded_by. Later transformations move what is left as a whole.
 void PovSceneReader::clip(PovObject* object, Modifiers* modifiers) {
   const PovPlace at = in_.place();
   in_.take();
   in_.expect("{");
-  if (in_.peek().kind != PovKind::kWord || !is_object(in_.peek().text))
-    in_.fail_expected("a box that bounds the plane");
-  const PovObject bounds = this->object();
+  if (!object_is_next()) in_.fail_expected("an object that clips");
+  std::vector<PovSolid> solids;
+  PovObject carrier;
+  for (PovObject& bounds : children(&carrier)) {
+    pov_make_pending(&bounds, {}, cells());
+    object->problems.insert(object->problems.end(), bounds.problems.begin(), bounds.problems.end());
+    if (bounds.solid.kind != PovSolid::kNothing) solids.push_back(std::move(bounds.solid));
+  }
   in_.expect("}");
   move_object(object, modifiers->transform);
   modifiers->transform = {};
-  PovObject cut = pov_bounded_plane(*object->plane, bounds);
-  cut.problems = bounds.problems;
-  cut.place = object->place;
-  if (cut.facets.empty()) cut.notes.push_back({"plane outside its bounds left out", at});
-  *object = std::move(cut);
+  // A little more than what is wanted: where the grid ends, the surface is closed.
+  Box wanted;
+  for (const PovSolid& solid : solids) wanted.add(box_of_hulls(settled(solid)));
+  if (!wanted.empty()) {
+    const Vec3 margin = 0.05 * (wanted.upper - wanted.lower);
+    wanted.add(wanted.lower - margin);
+    wanted.add(wanted.upper + margin);
+  }
+  pov_make_pending(object, wanted, cells());
+  pov_clip(object, solids);
+  if (object->facets.empty()) object->notes.push_back({"object outside what clips it left out", at});
 }
 
 bool PovSceneReader::modifier(Modifiers* modifiers, PovObject* object) {
@@ -232,7 +254,9 @@ bool PovSceneReader::modifier(Modifiers* modifiers, PovObject* object) {
   PovTexture base = modifiers->texture.value_or(default_texture_);
   if (transformation(&modifiers->transform)) return true;
   if (in_.take_if("texture")) {
-    modifiers->texture = texture_block(default_texture_);
+    const PovTexture texture = texture_block(default_texture_);
+    modifiers->texture = modifiers->textured ? layered(texture, *modifiers->texture) : texture;
+    modifiers->textured = true;
   } else if (in_.take_if("material")) {
     modifiers->texture = material_block(default_texture_);
   } else if (in_.take_if("pigment")) {
@@ -248,15 +272,14 @@ bool PovSceneReader::modifier(Modifiers* modifiers, PovObject* object) {
     modifiers->no_shadow = true;
   } else if (in_.take_if("no_image")) {
     object->problems.push_back({"no_image", at});
-  } else if (object->plane && (in_.next_is("clipped_by") || in_.next_is("bounded_by"))) {
+  } else if (in_.next_is("clipped_by") ||
+             ((object->endless || object->pending) && in_.next_is("bounded_by"))) {
     clip(object, modifiers);
-  } else if (in_.next_is("clipped_by")) {
-    object->problems.push_back({"clipped_by", at});
-    in_.skip_item();
-  } else if (in_.next_is("inverse") || in_.next_is("hollow") || in_.next_is("no_reflection") ||
-             in_.next_is("double_illuminate") || in_.next_is("sturm") || in_.next_is("hierarchy") ||
-             in_.next_is("split_union") || in_.next_is("uv_mapping") || in_.next_is("smooth") ||
-             in_.next_is("no_radiosity")) {
+  } else if (in_.take_if("inverse")) {
+    modifiers->inverse = !modifiers->inverse;
+  } else if (in_.next_is("hollow") || in_.next_is("no_reflection") || in_.next_is("double_illuminate") ||
+             in_.next_is("sturm") || in_.next_is("hierarchy") || in_.next_is("split_union") ||
+             in_.next_is("uv_mapping") || in_.next_is("smooth") || in_.next_is("no_radiosity")) {
     in_.take();
     if (in_.expression_is_next()) in_.numbers();
   } else if (in_.next_is("normal") || in_.next_is("interior") || in_.next_is("interior_texture") ||
@@ -282,6 +305,7 @@ void PovSceneReader::modifiers(PovObject* object) {
 
 void PovSceneReader::finish_object(PovObject* object, const Modifiers& modifiers) {
   move_object(object, modifiers.transform);
+  if (modifiers.inverse) *object = pov_inverse(std::move(*object));
   for (PovFacet& facet : object->facets) facet.no_shadow = facet.no_shadow || modifiers.no_shadow;
   if (!modifiers.texture) return;
   const PovSurfacePointer surface = surface_of(*modifiers.texture);

@@ -14,7 +14,6 @@ struct FlatRing {
   std::vector<Vec2> points;
   std::vector<uint32_t> corners;
   double area = 0;  // signed
-  int depth = 0;    // number of other rings around it
 };
 
 bool contains(const FlatRing& ring, Vec2 p) {
@@ -24,6 +23,32 @@ bool contains(const FlatRing& ring, Vec2 p) {
     if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
   }
   return inside;
+}
+
+size_t count_inside(const FlatRing& ring, const FlatRing& inner) {
+  size_t inside = 0;
+  for (const Vec2 p : inner.points) inside += contains(ring, p);
+  return inside;
+}
+
+// Whether most of `inner` is in `ring`: they may touch in some points.
+bool contains(const FlatRing& ring, const FlatRing& inner) {
+  return 2 * count_inside(ring, inner) > inner.points.size();
+}
+
+// The outline that a hole is in: the smallest that has most of its corners, else that which has the most.
+const FlatRing* around(const FlatRing& hole, const std::vector<FlatRing>& rings) {
+  const FlatRing* best = nullptr;
+  for (const FlatRing& ring : rings) {
+    if (!(ring.area > 0)) continue;
+    const bool better =
+        !best || (contains(ring, hole) == contains(*best, hole)
+                      ? (contains(ring, hole) ? ring.area < best->area
+                                              : count_inside(ring, hole) > count_inside(*best, hole))
+                      : contains(ring, hole));
+    if (better) best = &ring;
+  }
+  return best;
 }
 
 // Whether the segments a b and c d cross in the inside of both.
@@ -70,11 +95,8 @@ void join(FlatRing* outline, const FlatRing& hole, const std::vector<const FlatR
   outline->corners = std::move(joined.corners);
 }
 
-std::vector<FlatRing> flattened(const std::vector<std::vector<Vec3>>& rings, PovObject* object) {
-  const auto largest = std::max_element(rings.begin(), rings.end(), [](const auto& a, const auto& b) {
-    return length(doubled_area(a)) < length(doubled_area(b));
-  });
-  const Frame frame = frame_about(normalized(doubled_area(*largest)));
+std::vector<FlatRing> flattened(const std::vector<std::vector<Vec3>>& rings, Vec3 normal, PovObject* object) {
+  const Frame frame = frame_about(normal);
   std::vector<FlatRing> flat;
   for (const std::vector<Vec3>& ring : rings) {
     FlatRing& to = flat.emplace_back();
@@ -85,34 +107,55 @@ std::vector<FlatRing> flattened(const std::vector<std::vector<Vec3>>& rings, Pov
     }
     to.area = dot(doubled_area(ring), frame.normal) / 2;
   }
-  for (FlatRing& ring : flat) {
-    for (const FlatRing& other : flat) ring.depth += &other != &ring && contains(other, ring.points[0]);
-    if ((ring.area > 0) != (ring.depth % 2 == 0))
-      reverse(&ring);  // outlines counter-clockwise, holes clockwise
-  }
   return flat;
+}
+
+// Turns rings so that outlines are counter-clockwise and holes clockwise.
+void orient(std::vector<FlatRing>* flat) {
+  for (FlatRing& ring : *flat) {
+    int depth = 0;
+    for (const FlatRing& other : *flat) depth += &other != &ring && contains(other, ring);
+    if ((ring.area > 0) != (depth % 2 == 0)) reverse(&ring);
+  }
+}
+
+// Each outline with its holes as a facet.
+void add_facets(std::vector<FlatRing> flat, PovObject* object) {
+  std::vector<std::vector<const FlatRing*>> holes(flat.size());
+  const std::vector<FlatRing> rings = flat;
+  for (const FlatRing& ring : rings)
+    if (!(ring.area > 0))
+      if (const FlatRing* outline = around(ring, rings))
+        holes[static_cast<size_t>(outline - rings.data())].push_back(&ring);
+  for (size_t i = 0; i < flat.size(); ++i) {
+    if (!(flat[i].area > 0)) continue;
+    while (!holes[i].empty()) {
+      const FlatRing* hole = holes[i].back();
+      holes[i].pop_back();
+      join(&flat[i], *hole, holes[i]);
+    }
+    PovFacet facet;
+    facet.corners = flat[i].corners;
+    object->facets.push_back(std::move(facet));
+  }
 }
 
 }  // namespace
 
 PovObject pov_polygon(const std::vector<std::vector<Vec3>>& rings) {
+  const auto largest = std::max_element(rings.begin(), rings.end(), [](const auto& a, const auto& b) {
+    return length(doubled_area(a)) < length(doubled_area(b));
+  });
   PovObject object;
-  std::vector<FlatRing> flat = flattened(rings, &object);
-  for (FlatRing& outline : flat) {
-    if (outline.depth % 2 != 0) continue;
-    std::vector<const FlatRing*> holes;
-    const FlatRing around = outline;
-    for (const FlatRing& hole : flat)
-      if (hole.depth == outline.depth + 1 && contains(around, hole.points[0])) holes.push_back(&hole);
-    while (!holes.empty()) {
-      const FlatRing* hole = holes.back();
-      holes.pop_back();
-      join(&outline, *hole, holes);
-    }
-    PovFacet facet;
-    facet.corners = outline.corners;
-    object.facets.push_back(std::move(facet));
-  }
+  std::vector<FlatRing> flat = flattened(rings, normalized(doubled_area(*largest)), &object);
+  orient(&flat);
+  add_facets(std::move(flat), &object);
+  return object;
+}
+
+PovObject pov_oriented_polygon(const std::vector<std::vector<Vec3>>& rings, Vec3 normal) {
+  PovObject object;
+  add_facets(flattened(rings, normal, &object), &object);
   return object;
 }
 

@@ -23,16 +23,20 @@ std::string frame_words(const PovRun& run) {
   return "frame " + std::to_string(run.frame_number) + " (clock " + clock + ")";
 }
 
+// `extent`: of the first frame, which sets it.
+using Extent = std::optional<PovSceneReader::Extent>;
+
 PovFrame read_frame(const std::string& path, const ImportOptions& options, const PovRun& run, PovFiles* files,
-                    ImportReport* report) {
+                    Extent* extent, ImportReport* report) {
   PovSceneReader reader(options, run, files, report);
   reader.read(path);
+  reader.cut_endless(extent);
   return {std::move(reader.placed()), reader.camera()};
 }
 
 // Follows the scene through all frames after the first.
 void follow(const std::string& path, const ImportOptions& options, const PovAnimation& animation,
-            PovFiles* files, PovFollowed* followed, const Progress& progress) {
+            PovFiles* files, Extent* extent, PovFollowed* followed, const Progress& progress) {
   const int count = animation.last - animation.first + 1;
   for (int frame = animation.first + 1; frame <= animation.last; ++frame) {
     const PovRun run = run_of(animation, frame);
@@ -40,7 +44,7 @@ void follow(const std::string& path, const ImportOptions& options, const PovAnim
     ImportReport again;  // of what the first frame's has told
     PovFrame now;
     try {
-      now = read_frame(path, options, run, files, &again);
+      now = read_frame(path, options, run, files, extent, &again);
     } catch (const BadInput& error) {
       throw BadInput(std::string(error.what()) + ", in " + frame_words(run));
     }
@@ -53,13 +57,15 @@ void follow(const std::string& path, const ImportOptions& options, const PovAnim
 Scene import_pov(const std::string& path, const ImportOptions& options, ImportReport* report,
                  const PovAnimation& animation, const Progress& progress) {
   PovFiles files;
-  const PovFrame first = read_frame(path, options, run_of(animation, animation.first), &files, report);
+  Extent extent;
+  const PovFrame first =
+      read_frame(path, options, run_of(animation, animation.first), &files, &extent, report);
   const bool mirror = !first.camera || is_left_handed(*first.camera);
   std::optional<PovFollowed> followed;
   std::vector<double> times;
   if (animation.moves) {
     followed.emplace(first, mirror, options, report);
-    follow(path, options, animation, &files, &*followed, progress);
+    follow(path, options, animation, &files, &extent, &*followed, progress);
     for (int frame = animation.first; frame <= animation.last; ++frame)
       times.push_back((frame - animation.first) / animation.rate);
   }
@@ -74,6 +80,9 @@ Scene import_pov(const std::string& path, const ImportOptions& options, ImportRe
     scene.rate = animation.rate;
     scene.end = static_cast<double>(times.size()) / animation.rate;
   }
+  const std::string left_out = report->first_left_out();
+  if (scene.polygons.empty() && !left_out.empty())
+    throw BadInput(text_name(path) + ": has no polygons but what was left out; " + left_out);
   smooth_by_angle(options.smooth, &scene);
   return finish_import(std::move(scene), options, text_name(path), report);
 }

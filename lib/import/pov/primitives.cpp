@@ -25,20 +25,6 @@ PovTransform scaling(Vec3 factors) {
   return transform;
 }
 
-// REQUIRES: it has an inverse.
-PovTransform inverse(const PovTransform& of) {
-  const auto& r = of.rows;
-  const double determinant = dot(cross(r[0], r[1]), r[2]);
-  const Vec3 x = cross(r[1], r[2]) / determinant, y = cross(r[2], r[0]) / determinant,
-             z = cross(r[0], r[1]) / determinant;
-  PovTransform result;
-  result.rows[0] = {x.x, y.x, z.x};
-  result.rows[1] = {x.y, y.y, z.y};
-  result.rows[2] = {x.z, y.z, z.z};
-  result.rows[3] = -result.direction(r[3]);
-  return result;
-}
-
 bool is_flat(const PovTransform& transform) {
   const auto& r = transform.rows;
   return !(std::abs(dot(cross(r[0], r[1]), r[2])) > 0);
@@ -94,7 +80,7 @@ PovTransform PovSceneReader::transform_block() {
   in_.expect("{");
   while (!in_.take_if("}")) {
     if (in_.take_if("inverse")) {
-      transform = inverse(transform);
+      transform = inverse_of(transform);
     } else if (!transformation(&transform)) {
       in_.fail_expected("a transformation or }");
     }
@@ -140,9 +126,7 @@ PovObject PovSceneReader::plane_shape() {
   in_.skip_comma();
   const double distance = in_.number();
   if (!(length(normal) > 0)) fail_at(at.file, at.line, "the normal of a plane has no length");
-  PovObject made;
-  made.plane = PovPlane{normalized(normal), distance};
-  return made;
+  return pov_plane({normalized(normal), distance});
 }
 
 }  // namespace strad

@@ -1,7 +1,9 @@
 // Reads POV-Ray's textures, objects, lights and camera.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "import/import.h"
@@ -38,27 +40,62 @@ class PovSceneReader : private PovStatements {
   std::vector<Placed>& placed() { return placed_; }
   const std::optional<PovCamera>& camera() const { return camera_; }
 
+  // What is finite in a scene, from which follows where planes are cut.
+  struct Extent {
+    Vec3 centre;
+    double size = 1;
+  };
+  // Cuts what is endless. `extent`: that of the scene, which is found if it is not set.
+  void cut_endless(std::optional<Extent>* extent);
+
  private:
   std::any describe(std::string_view word) override;
+  PovNumbers measured(const std::string& name) override;  // in measures.cpp
+  std::optional<Vec3> transformed(const std::any& thing, Vec3 vector) override;
   void name_declared(const std::string& name, std::any* value) override;
   void default_block() override;
   void statement();
+  bool statement_of_air(const std::string& word, const PovPlace& at);
+  void global_settings();
+  Rgb plain_colour();
+  void judge_sky();
 
   // Textures, in textures.cpp. Each function reads from the opening brace.
   PovTexture texture_block(const PovTexture& base);
-  PovPigment pigment_block(const PovPigment& base);
+  void texture_items(PovTexture* texture, const PovTexture& base, std::string_view end);
+  PovTexture layers(PovTexture texture);
   PovFinish finish_block(const PovFinish& base);
+  bool finish_light(PovFinish* finish);
+  Rgb mirror_colour(bool* metallic);
   PovTexture material_block(const PovTexture& base);
-  std::shared_ptr<const PovImage> image_block();
   PovSurfacePointer surface_of(const PovTexture& texture);
   static PovSurfacePointer mean_of(const PovSurfacePointer& a, const PovSurfacePointer& b,
                                    const PovSurfacePointer& c);
+
+  // Pigments and patterns, in pigments.cpp.
+  struct PovPattern {
+    std::string word;  // of the pattern; empty if there is none
+    PovPlace place;
+    PovMap map;
+    std::vector<std::pair<double, PovTexture>> list;  // with weights
+    Vec3 brick{8, 3, 4.5};                            // POV-Ray's defaults
+    double mortar = 0.5;
+  };
+  PovPigment pigment_block(const PovPigment& base);
+  void pigment_items(PovPigment* pigment, std::string_view end);
+  std::shared_ptr<const PovImage> image_block();
+  PovMap map_block();
+  void map_entry(PovMap* map, bool of_pigments, bool of_textures);
+  void pattern_list(PovPattern* pattern, size_t count);
+  bool pattern_item(PovPattern* pattern);
+  std::optional<PovTexture> mean_of_pattern(PovPattern pattern, const std::string& of);
 
   // Objects, in objects.cpp, primitives.cpp and meshes.cpp.
   struct Modifiers {
     PovTransform transform;
     std::optional<PovTexture> texture;
-    bool no_shadow = false, no_image = false;
+    bool textured = false;  // by a `texture`: others are layers on it
+    bool no_shadow = false, inverse = false;
   };
   PovObject object(std::string* name = nullptr);  // from the word that says its kind
   PovObject shape(const std::string& kind, std::string* name);
@@ -69,6 +106,22 @@ class PovSceneReader : private PovStatements {
   PovObject triangle_shape(bool smooth);
   PovObject polygon_shape();
   PovObject union_shape();
+  PovObject torus_shape();
+  PovObject lathe_shape();
+  PovObject sor_shape();
+  PovObject prism_shape();
+  PovObject superellipsoid_shape();
+  PovObject text_shape();
+  PovObject intersection_shape(bool difference);
+  PovObject polynomial_shape(const std::string& kind);
+  PovObject blob_shape();
+  PovObject isosurface_shape();
+  PovObject patch_shape();
+  // Of the grid in which a surface is found: as fine as the sides of round objects.
+  int cells() const { return options_.tessellate + options_.tessellate / 2; }
+  std::vector<PovObject> children(PovObject* carrier);
+  std::vector<Vec2> controls();
+  bool object_is_next();
   PovObject mesh_shape();
   PovObject mesh2_shape();
   PovMeshLists mesh2_lists(PovObject* made);
@@ -99,6 +152,8 @@ class PovSceneReader : private PovStatements {
   std::vector<Placed> placed_;
   std::optional<PovCamera> camera_;
   PovTexture default_texture_;
+  bool radiosity_ = false;
+  std::vector<PovProblem> sky_;  // what lights the scene with radiosity only
 };
 
 }  // namespace strad

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/rgb.h"
@@ -41,18 +43,25 @@ struct PovImage {
   PovPlace place;
 };
 
+// Of a pattern: the mean over it.
 struct PovPigment {
   std::string name;  // of its declaration
-  Rgb colour;        // POV-Ray's default is black
+  Rgb colour;        // of the part that is opaque; POV-Ray's default is black
+  double opacity = 1;
+  Rgb passes;  // the fraction of light that goes through
   std::shared_ptr<const PovImage> image;
   std::optional<PovProblem> problem;
+  std::optional<PovProblem> note;  // that it is a mean
 };
 
 struct PovFinish {
-  double diffuse = 0.6;               // POV-Ray's default
-  Rgb ambient, emission;              // 0 unless the file sets it; POV-Ray's default of 0.1 is not used
-  std::optional<PovProblem> problem;  // mirrors
-  std::optional<PovProblem> note;     // highlights, which are ignored
+  double diffuse = 0.6;   // POV-Ray's default
+  Rgb ambient, emission;  // 0 unless the file sets it; POV-Ray's default of 0.1 is not used
+  Rgb reflection;         // of a mirror, taken as diffuse
+  bool metallic = false;  // the mirror's colour is also that of the pigment
+  std::optional<PovProblem> problem;
+  std::optional<PovProblem> note;         // highlights, which are ignored
+  std::optional<PovProblem> mirror_note;  // what became of the mirror
 };
 
 struct PovTexture {
@@ -62,11 +71,18 @@ struct PovTexture {
   PovPlace place;
 };
 
+// The entries of a color_map, pigment_map or texture_map: the values of a pattern at which they stand.
+// Only the pigments matter in the first two.
+struct PovMap {
+  std::vector<std::pair<double, PovTexture>> entries;
+};
+
 // A texture as reflectance and emission.
 struct PovSurface {
   std::string name;  // of its texture or pigment; "" where neither was declared
   Rgb reflectance, emission;
   std::shared_ptr<const PovImage> image;  // multiplies the reflectance
+  bool clear = false;                     // all light passes
   std::vector<PovProblem> problems, notes;
   PovPlace place;
 };
@@ -97,10 +113,38 @@ struct PovLight {
   std::vector<PovProblem> problems;
 };
 
-// Infinite until it is clipped.
+// Planes, and what is made of them, reach so far (in the units of the file) before they are cut.
+constexpr double kEndless = 1e6;
 struct PovPlane {
   Vec3 normal;  // unit
   double distance = 0;
+};
+
+// A closed surface of triangles, counter-clockwise seen from outside in a right-handed space.
+struct PovHull {
+  std::vector<Vec3> points;
+  std::vector<std::array<uint32_t, 3>> triangles;
+  Box box;  // of the points
+};
+
+// What is inside an object, as a tree of simple solids.
+struct PovSolid {
+  enum Kind { kNothing, kHull, kBehindPlane, kUnion, kIntersection } kind = kNothing;
+  bool inverse = false;
+  std::vector<PovSolid> parts;  // of a union or an intersection
+  std::shared_ptr<const PovHull> hull;
+  PovTransform placed;  // of the hull's points
+  PovPlane plane;       // its normal points outwards
+};
+
+// Negative inside.
+using PovField = std::function<double(Vec3)>;
+
+// A surface where a function is 0, of which it is not yet known how far it is wanted.
+struct PovPending {
+  std::string kind;
+  PovField field;
+  PovTransform placed;
 };
 
 struct PovObject {
@@ -111,7 +155,9 @@ struct PovObject {
   // Where the points of each simple shape in it begin, up to the next one's: shapes may move apart.
   std::vector<uint32_t> shapes{0};
   std::vector<PovLight> lights;
-  std::optional<PovPlane> plane;
+  PovSolid solid;
+  std::optional<PovPending> pending;
+  bool endless = false;  // facets reach far beyond the scene, where planes do; they are cut at the end
   std::vector<PovProblem> problems;  // what is missing from it
   std::vector<PovProblem> notes;
   bool compound = false;  // a later texture applies only to facets without one

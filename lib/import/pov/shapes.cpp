@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/pov/solids.h"
+
 namespace strad {
 namespace {
 
@@ -48,11 +50,9 @@ void add_lid(PovObject* object, uint32_t ring, int sides, bool upwards) {
   add_facet(object, std::move(corners));
 }
 
-PovPlane transformed(const PovPlane& plane, const PovTransform& by) {
-  const Frame frame = frame_about(plane.normal);
-  const Vec3 across = cross(by.direction(frame.tangent), by.direction(frame.bitangent));
-  const Vec3 normal = (by.mirrors() ? -1 : 1) * normalized(across);
-  return {normal, dot(normal, by.point(plane.distance * plane.normal))};
+PovObject with_inside(PovObject object) {
+  object.solid = solid_of_facets(object);
+  return object;
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ PovObject pov_box(Vec3 corner, Vec3 opposite) {
                               {0, 2, 3, 1},
                               {4, 5, 7, 6}})
     add_facet(&object, corners);
-  return object;
+  return with_inside(std::move(object));
 }
 
 PovObject pov_sphere(Vec3 centre, double radius, int sides) {
@@ -95,7 +95,7 @@ PovObject pov_sphere(Vec3 centre, double radius, int sides) {
   }
   for (PovFacet& facet : object.facets)
     for (const uint32_t corner : facet.corners) facet.normals.push_back(object.points[corner] - centre);
-  return object;
+  return with_inside(std::move(object));
 }
 
 namespace {
@@ -135,8 +135,11 @@ PovObject pov_cone(Vec3 base, double base_radius, Vec3 cap, double cap_radius, i
     add_band(&object, lower, !(base_radius > 0), upper, !(cap_radius > 0), sides);
     smooth_sides(&object, base, cap, base_radius - cap_radius);
   }
-  if (!open && base_radius > 0) add_lid(&object, lower, sides, false);
-  if (!open && cap_radius > 0) add_lid(&object, upper, sides, true);
+  const size_t walls = object.facets.size();
+  if (base_radius > 0) add_lid(&object, lower, sides, false);
+  if (cap_radius > 0) add_lid(&object, upper, sides, true);
+  object = with_inside(std::move(object));  // of an open one, too
+  if (open) object.facets.resize(walls);
   return object;
 }
 
@@ -153,40 +156,41 @@ PovObject pov_disc(Vec3 centre, Vec3 normal, double radius, double hole_radius, 
   return object;
 }
 
-PovObject pov_bounded_plane(const PovPlane& plane, const PovObject& bounds) {
+PovObject pov_plane(const PovPlane& plane) {
   PovObject object;
-  Box box;
-  for (const Vec3 p : bounds.points) box.add(p);
   const Frame frame = frame_about(plane.normal);
-  const Vec3 centre = box.centre() + (plane.distance - dot(box.centre(), plane.normal)) * plane.normal;
-  const double reach = 2 * box.diagonal();
-  std::vector<Vec3> outline;
+  const Vec3 foot = plane.distance * plane.normal;
   for (const auto& [u, v] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-    outline.push_back(centre + reach * (u * frame.tangent + v * frame.bitangent));
-  for (const PovFacet& side : bounds.facets) {  // Sutherland & Hodgman 1974
-    const Vec3 at = bounds.points[side.corners[0]];
-    const Vec3 out =
-        normalized(cross(bounds.points[side.corners[1]] - at, bounds.points[side.corners[2]] - at));
-    // A plane in a side of its box, which is common, counts as inside.
-    const double slack = 1e-9 * box.diagonal();
-    std::vector<Vec3> kept;
-    for (size_t i = 0; i < outline.size(); ++i) {
-      const Vec3 a = outline[i], b = outline[(i + 1) % outline.size()];
-      const double outside_a = dot(a - at, out) - slack, outside_b = dot(b - at, out) - slack;
-      if (outside_a <= 0) kept.push_back(a);
-      if ((outside_a <= 0) != (outside_b <= 0))
-        kept.push_back(lerp(a, b, outside_a / (outside_a - outside_b)));
-    }
-    outline = std::move(kept);
-  }
-  if (outline.size() < 3) return object;
-  object.points = std::move(outline);
-  add_lid(&object, 0, static_cast<int>(object.points.size()), true);
+    object.points.push_back(foot + kEndless * (u * frame.tangent + v * frame.bitangent));
+  add_lid(&object, 0, 4, true);
+  object.solid = solid_behind(plane);
+  object.endless = true;
   return object;
 }
 
+PovTransform inverse_of(const PovTransform& of) {
+  const auto& r = of.rows;
+  const double determinant = dot(cross(r[0], r[1]), r[2]);
+  const Vec3 x = cross(r[1], r[2]) / determinant, y = cross(r[2], r[0]) / determinant,
+             z = cross(r[0], r[1]) / determinant;
+  PovTransform result;
+  result.rows[0] = {x.x, y.x, z.x};
+  result.rows[1] = {x.y, y.y, z.y};
+  result.rows[2] = {x.z, y.z, z.z};
+  result.rows[3] = -result.direction(r[3]);
+  return result;
+}
+
 void move_object(PovObject* object, const PovTransform& by) {
-  if (object->plane) object->plane = transformed(*object->plane, by);
+  if (object->endless && object->solid.kind == PovSolid::kBehindPlane && object->points.size() == 4) {
+    // A plane is a square of the same size, however it is scaled.
+    const PovPlane plane = moved_plane(object->solid.plane, by);
+    object->points = pov_plane(plane).points;
+    object->solid.plane = plane;
+    return;
+  }
+  move_solid(&object->solid, by);
+  if (object->pending) object->pending->placed.append(by);
   for (Vec3& point : object->points) point = by.point(point);
   for (PovFacet& facet : object->facets)
     for (Vec3& normal : facet.normals) normal = by.normal(normal);

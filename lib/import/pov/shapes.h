@@ -7,6 +7,7 @@
 
 namespace strad {
 
+// Closed objects have their inside as solids.
 PovObject pov_box(Vec3 corner, Vec3 opposite);
 
 // `sides` facets around, half as many from pole to pole. Corners lie on the sphere.
@@ -21,8 +22,15 @@ PovObject pov_disc(Vec3 centre, Vec3 normal, double radius, double hole_radius, 
 // is around it. Holes are joined to the ring around them by bridges.
 PovObject pov_polygon(const std::vector<std::vector<Vec3>>& rings);
 
-// The part of the plane inside `bounds`, a convex object such as a box.
-PovObject pov_bounded_plane(const PovPlane& plane, const PovObject& bounds);
+// The same of rings that do not cross, outlines counter-clockwise about the normal and holes clockwise. They
+// may touch.
+PovObject pov_oriented_polygon(const std::vector<std::vector<Vec3>>& rings, Vec3 normal);
+
+// A plane as a large square, which is endless, and all behind it.
+PovObject pov_plane(const PovPlane& plane);
+
+// REQUIRES: it has an inverse.
+PovTransform inverse_of(const PovTransform& of);
 
 // Transforms an object with all its points, lights and planes.
 void move_object(PovObject* object, const PovTransform& by);

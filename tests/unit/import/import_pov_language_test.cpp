@@ -35,6 +35,8 @@ class Coins : public PovStatements {
   void name_declared(const std::string& name, std::any* value) override {
     std::any_cast<Coin&>(*value).name = name;
   }
+  PovNumbers measured(const std::string&) override { return {}; }
+  std::optional<Vec3> transformed(const std::any&, Vec3) override { return {}; }
   void default_block() override {
     in.skip_block();
     ++default_blocks;

@@ -51,11 +51,12 @@ PovNumbers PovInterpreter::colour_numbers() {
       colour = colour_from("rgb", sum());
       continue;
     }
+    const int part = colour_part(token.text);
+    if (part == kColourParts && !first) return colour;  // another colour begins
     const std::string kind(take().text);
-    const int part = colour_part(kind);
     if (part < kColourParts) {
       colour[part] = sum()[0];
-    } else if (kind != "color" && kind != "colour") {
+    } else {
       colour = colour_from(kind, sum());
     }
   }

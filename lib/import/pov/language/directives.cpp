@@ -40,6 +40,15 @@ void PovInterpreter::obey() {
     const std::string undefined(raw().text);
     ++here().next;
     if (here().locals.erase(undefined) == 0) globals_.erase(undefined);
+  } else if (name == "fopen") {
+    obey_fopen();
+  } else if (name == "read") {
+    obey_read();
+  } else if (name == "write") {
+    obey_write();
+  } else if (name == "fclose") {
+    open_files_.erase(std::string(raw().text));
+    ++here().next;
   } else if (name == "debug" || name == "warning" || name == "render" || name == "statistics") {
     string();
   } else if (name == "error") {
@@ -61,6 +70,8 @@ void PovInterpreter::obey_declare(bool local) {
   if (next_is("[")) return declare_element(name);
   expect("=");
   PovValue declared = value();
+  if (const auto* array = std::get_if<std::shared_ptr<PovArray>>(&declared))
+    declared = std::make_shared<PovArray>(**array);  // a copy, where macros get the array itself
   if (auto* thing = std::get_if<std::any>(&declared)) statements_->name_declared(name, thing);
   declare(name, std::move(declared), local);
   if (next_is_plainly(";")) take();
@@ -118,7 +129,9 @@ void PovInterpreter::call(PovMacro macro) {
   inside.next = macro.body;
   expect("(");
   for (size_t i = 0; i < macro.parameters.size(); ++i) {
-    if (i > 0 && !take_if(",")) fail_expected("argument " + std::to_string(i + 1) + " of " + name);
+    // POV-Ray does without commas, too.
+    if (i > 0 && !take_if(",") && next_is(")"))
+      fail_expected("argument " + std::to_string(i + 1) + " of " + name);
     inside.locals.insert_or_assign(macro.parameters[i], value());
   }
   expect(")");

@@ -39,7 +39,7 @@ bool PovInterpreter::expression_is_next() {
   if (token.kind == PovKind::kSymbol) return is_one_of(token.text, {"<", "(", "-", "+", "!"});
   if (token.kind != PovKind::kWord) return false;
   if (const PovValue* sample = sample_of(find(token.text)))
-    return std::holds_alternative<PovNumbers>(*sample);
+    return std::holds_alternative<PovNumbers>(*sample) || is_callable(token.text);
   return constant(token.text) || starts_colour(token.text) || is_function(token.text);
 }
 
@@ -91,6 +91,7 @@ PovNumbers PovInterpreter::logical() {
 }
 
 PovNumbers PovInterpreter::comparison() {
+  if (string_is_next()) return compared_strings();
   PovNumbers left = numbers();
   while (peek().kind == PovKind::kSymbol && is_one_of(peek().text, {"<", ">", "<=", ">=", "=", "!="})) {
     const std::string_view sign = take().text;
@@ -181,6 +182,8 @@ PovNumbers PovInterpreter::named_numbers() {
   const std::string name(peek().text);
   const PovPlace at = place();
   const PovValue found = take_named();
+  if (const auto* function = std::get_if<PovFunction>(&found)) return call(*function, name);
+  if (const auto* spline = std::get_if<PovSpline>(&found)) return call(*spline);
   if (!std::holds_alternative<PovNumbers>(found)) fail_at(at.file, at.line, name + " is not a number");
   return std::get<PovNumbers>(found);
 }
@@ -231,13 +234,19 @@ PovValue PovInterpreter::value() {
   if (token.kind == PovKind::kString || (token.kind == PovKind::kWord && is_string_function(token.text)))
     return string();
   if (token.kind != PovKind::kWord) return numbers();
+  const PovValue* known = find(token.text);
+  const PovToken& after = here().file->tokens[std::min(here().next + 1, here().file->tokens.size() - 1)];
+  const bool whole_array =
+      known && std::holds_alternative<std::shared_ptr<PovArray>>(*known) && after.text != "[";
+  if (whole_array || (is_callable(token.text) && after.text != "(")) return take_named();
   if (expression_is_next()) return numbers();
   if (take_if("array")) return array_value();
+  if (take_if("function")) return function_value();
+  if (take_if("spline")) return spline_value();
   if (std::any described = statements_->describe(token.text); described.has_value()) return described;
   if (find(token.text)) return take_named();
-  // A declaration that has no use here, such as `normal {...}` or `function (x, y) {...}`.
+  // A declaration that has no use here, such as `normal {...}`.
   take();
-  while (token.text == "function" && !next_is("{") && peek().kind != PovKind::kEnd) take();
   if (!next_is("{"))
     fail_at(place_of(token).file, token.line, "found " + in_quotes(token.text) + ", expected a value");
   skip_block();

@@ -20,10 +20,12 @@ struct NumberFunction {
 };
 using Numbers = const std::vector<double>&;
 
-constexpr std::array<NumberFunction, 25> kNumberFunctions{{
+constexpr std::array<NumberFunction, 28> kNumberFunctions{{
     {"abs", 1, 1, [](Numbers a) { return std::abs(a[0]); }},
     {"acos", 1, 1, [](Numbers a) { return std::acos(a[0]); }},
+    {"acosh", 1, 1, [](Numbers a) { return std::acosh(a[0]); }},
     {"asin", 1, 1, [](Numbers a) { return std::asin(a[0]); }},
+    {"asinh", 1, 1, [](Numbers a) { return std::asinh(a[0]); }},
     {"atan", 1, 1, [](Numbers a) { return std::atan(a[0]); }},
     {"atan2", 2, 2, [](Numbers a) { return std::atan2(a[0], a[1]); }},
     {"ceil", 1, 1, [](Numbers a) { return std::ceil(a[0]); }},
@@ -49,7 +51,13 @@ constexpr std::array<NumberFunction, 25> kNumberFunctions{{
     {"sinh", 1, 1, [](Numbers a) { return std::sinh(a[0]); }},
     {"sqrt", 1, 1, [](Numbers a) { return std::sqrt(a[0]); }},
     {"tan", 1, 1, [](Numbers a) { return std::tan(a[0]); }},
+    {"tanh", 1, 1, [](Numbers a) { return std::tanh(a[0]); }},
 }};
+
+// Functions of objects, which the interpreter's user evaluates.
+bool is_measure(std::string_view name) {
+  return is_one_of(name, {"min_extent", "max_extent", "trace", "inside"});
+}
 
 Vec3 vector_of(const PovNumbers& n) { return n.size == 1 ? Vec3{n[0], n[0], n[0]} : Vec3{n[0], n[1], n[2]}; }
 PovNumbers numbers_of(Vec3 v) {
@@ -84,7 +92,9 @@ bool PovInterpreter::is_function(std::string_view name) const {
   return std::any_of(kNumberFunctions.begin(), kNumberFunctions.end(),
                      [&](const auto& f) { return f.name == name; }) ||
          is_one_of(name, {"vlength", "vdot", "vcross", "vnormalize", "vrotate", "vaxis_rotate", "seed",
-                          "rand", "strlen", "val", "asc", "defined", "dimension_size", "dimensions"});
+                          "rand", "strlen", "val", "asc", "defined", "dimension_size", "dimensions", "strcmp",
+                          "file_exists"}) ||
+         is_measure(name);
 }
 
 bool PovInterpreter::is_string_function(std::string_view name) const {
@@ -131,11 +141,25 @@ PovNumbers PovInterpreter::function_of_other_things(const std::string& name) {
     if (!found) fail("val of " + in_quotes(text) + ", expected a number");
     return number_of(*found);
   }
+  if (is_measure(name)) return statements_->measured(name);
+  if (name == "strcmp" || name == "file_exists") {
+    expect("(");
+    const std::string first = string();
+    double result = !found_include(first).empty();
+    if (name == "strcmp") {
+      expect(",");
+      result = first.compare(string());
+    }
+    expect(")");
+    return number_of(result);
+  }
   if (name == "defined" || name == "dimensions" || name == "dimension_size") {
     expect("(");
-    const PovValue* known = find(take().text);
+    const std::string thing(take().text);
+    const PovValue* known = find(thing);
     const auto* array = known ? std::get_if<std::shared_ptr<PovArray>>(known) : nullptr;
     double result = known != nullptr;
+    if (open_files_.contains(thing)) result = !is_exhausted(thing);
     if (name != "defined") {
       if (!array) fail(name + " of what is not an array");
       const std::vector<size_t> sizes = (*array)->sizes;

@@ -139,10 +139,15 @@ void PovInterpreter::fail_expected(const std::string& expected) {
 const PovValue* PovInterpreter::find(std::string_view name) const {
   for (auto cursor = cursors_.rbegin(); cursor != cursors_.rend(); ++cursor) {
     if (const auto found = cursor->locals.find(name); found != cursor->locals.end()) return &found->second;
+    if (!cursor->names) continue;
+    if (const auto found = cursor->names->values.find(name); found != cursor->names->values.end())
+      return &found->second;
   }
   const auto found = globals_.find(name);
   return found == globals_.end() ? nullptr : &found->second;
 }
+
+void PovInterpreter::set(const std::string& name, const PovNumbers& value) { declare(name, value, false); }
 
 // #declare gives a new value to the name that is in scope, be it local, as POV-Ray's Parse_Declare does; a
 // name that is not in scope becomes global.

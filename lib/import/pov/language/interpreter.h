@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,10 +34,11 @@ class PovInterpreter {
   bool take_if(std::string_view symbol_or_word);
   void expect(std::string_view symbol);
   void skip_comma() { take_if(","); }
-  void skip_block();                                // from { to its }
-  void skip_item();                                 // a word and the expressions or the block after it
-  PovPlace place();                                 // of the token that is next
-  [[noreturn]] void fail(const std::string& what);  // at the token that is next
+  void skip_block();  // from { to its }
+  void skip_item();   // a word and the expressions or the block after it
+  std::string found_include(const std::string& name) const;  // the path of a file, or "" if it is missing
+  PovPlace place();                                          // of the token that is next
+  [[noreturn]] void fail(const std::string& what);           // at the token that is next
   [[noreturn]] void fail_expected(const std::string& expected);
   // Adds to what the file has made so far, and refuses what would fill the memory: strings and objects
   // double.
@@ -51,6 +53,11 @@ class PovInterpreter {
   Vec2 vector2();
   Rgb colour();  // refuses transparency
   std::string string();
+  // Sets a number or a vector that is declared as `name`, or declares it.
+  void set(const std::string& name, const PovNumbers& value);
+  // A function from its parameters or its {, after the word `function`; and its value.
+  PovFunction function_value();
+  double value_of(const PovFunction& function, Vec3 at);
   // Takes the next token if it is the name of a declared thing of type T, and returns the thing. Otherwise
   // takes nothing and returns nothing.
   template <typename T>
@@ -96,6 +103,7 @@ class PovInterpreter {
     size_t next = 0;
     std::vector<Block> blocks;
     std::map<std::string, PovValue, std::less<>> locals;
+    std::shared_ptr<const PovBindings> names;  // of a function
     size_t plain = kNowhere;  // the index of a token that is known to be no directive and no macro
   };
 
@@ -124,7 +132,6 @@ class PovInterpreter {
   void count_step();
   void count_token();
   void declare_element(const std::string& name);
-  std::string found_include(const std::string& name) const;
 
   // Expressions, in expressions.cpp; names and arrays, in arrays.cpp; colours, in colours.cpp.
   PovValue value();  // anything that can be declared
@@ -148,6 +155,26 @@ class PovInterpreter {
   PovNumbers vector_literal();
   PovNumbers colour_numbers();
   PovNumbers named_numbers();
+  // What a file can call, in callables.cpp.
+  bool is_callable(std::string_view name) const;
+  PovNumbers call_with(const PovFunction& function, const std::string& name,
+                       const std::vector<PovNumbers>& given);
+  PovValue spline_value();
+  PovNumbers call(const PovFunction& function, const std::string& name);
+  PovNumbers call(const PovSpline& spline);
+  bool string_is_next();
+  PovNumbers compared_strings();
+  // Other files, in other_files.cpp.
+  struct OpenFile {
+    std::shared_ptr<const PovFile> file;  // null: what is written to it is ignored
+    size_t next = 0;
+  };
+  void obey_fopen();
+  void obey_read();
+  void obey_write();
+  PovValue value_in(OpenFile* from, const std::string& name);
+  bool is_exhausted(std::string_view file) const;
+
   // Functions, in functions.cpp.
   std::vector<PovNumbers> arguments(size_t least, size_t most);
   PovNumbers function(const std::string& name);
@@ -165,6 +192,7 @@ class PovInterpreter {
   std::map<std::string_view, double> numbers_;  // that have names of their own, such as pi and clock
   std::vector<Cursor> cursors_;
   std::map<std::string, PovValue, std::less<>> globals_;
+  std::map<std::string, OpenFile, std::less<>> open_files_;
   std::vector<uint32_t> random_states_;
   size_t steps_ = 0;   // turns of loops and calls of macros
   size_t tokens_ = 0;  // taken or skipped

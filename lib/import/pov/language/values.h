@@ -5,10 +5,12 @@
 #include <any>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -59,17 +61,38 @@ struct PovMacro {
   std::vector<std::string> parameters;
 };
 
-// Declared, but of no use here: an interior, a normal, a function.
+// function (x, y) { ... }, as the tokens of its body.
+struct PovFunction {
+  std::shared_ptr<const PovFile> file;
+  size_t body = 0;  // first token after {
+  std::vector<std::string> parameters;
+  std::shared_ptr<const std::any> thing;  // of function { transform { ... } }: what it does to a vector
+  std::string unknown;                    // why it cannot be called, such as "pigment"; empty if it can
+  // Names in the body have the values that they had where the function was declared.
+  std::shared_ptr<const struct PovBindings> names;
+};
+
+// spline { type t, vector, ... }, in the order of t.
+struct PovSpline {
+  std::string type;  // linear_spline, quadratic_spline, cubic_spline or natural_spline
+  std::vector<std::pair<double, PovNumbers>> points;
+};
+
+// Declared, but of no use here: an interior, a normal.
 struct PovIgnored {};
 
 // std::any holds what PovStatements::describe returns.
 struct PovArray;
-using PovValue =
-    std::variant<PovIgnored, PovNumbers, std::string, std::shared_ptr<PovArray>, PovMacro, std::any>;
+using PovValue = std::variant<PovIgnored, PovNumbers, std::string, std::shared_ptr<PovArray>, PovMacro,
+                              PovFunction, PovSpline, std::any>;
 
 struct PovArray {
   std::vector<size_t> sizes;                   // of each dimension
   std::vector<std::optional<PovValue>> items;  // the last index runs fastest
+};
+
+struct PovBindings {
+  std::map<std::string, PovValue, std::less<>> values;
 };
 
 template <typename T, typename... Kinds>

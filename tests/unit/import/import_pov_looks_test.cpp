@@ -1,0 +1,161 @@
+// POV-Ray's patterns, layers and finishes become one colour each; functions, splines and files have their
+// values.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "base/error.h"
+#include "import/pov/pov.h"
+
+namespace strad {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ImportPovLooks : public testing::Test {
+ protected:
+  ImportPovLooks() {
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("looks_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(folder_ / "below");
+  }
+  ~ImportPovLooks() override { fs::remove_all(folder_); }
+  Scene import(const std::string& text) {
+    std::ofstream(folder_ / "a.pov", std::ios::binary) << text;
+    report_ = {};
+    return import_pov((folder_ / "a.pov").string(), {}, &report_);
+  }
+  // Of a box with these modifiers that reflects all of its pigment.
+  Rgb reflectance(const std::string& modifiers) {
+    return import("#default { finish { diffuse 1 } }\nbox { 0, 1 " + modifiers + " }")
+        .materials[0]
+        .reflectance;
+  }
+  bool noted(const std::string& what) const {
+    for (const std::string& line : report_.lines())
+      if (line.find(what) != line.npos) return true;
+    return false;
+  }
+  // The upper corner of a box made with an expression; z is mirrored.
+  Vec3 value(const std::string& before, const std::string& expression) {
+    const Scene scene = import(before + "\nbox { -100, " + expression + " }");
+    Box box;
+    for (const Vec3 p : scene.vertices) box.add(p);
+    return {box.upper.x, box.upper.y, -box.lower.z};
+  }
+  fs::path folder_;
+  ImportReport report_;
+};
+
+void expect_near(Rgb a, Rgb b) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 1e-6);
+}
+void expect_near(Vec3 a, Vec3 b) { EXPECT_NEAR(length(a - b), 0, 1e-5); }
+
+TEST_F(ImportPovLooks, patterns_have_their_mean_colour) {
+  expect_near(reflectance("pigment { checker rgb <.2, 0, 0>, rgb <.4, .6, 0> }"), {0.3f, 0.3f, 0});
+  EXPECT_TRUE(noted("pigment checker is taken as its mean colour"));
+  expect_near(reflectance("pigment { checker color rgb .2 color rgb .4 scale 2 }"), {0.3f, 0.3f, 0.3f});
+  // Mortar of 1 in bricks of 4 by 2: bricks are (3/4)(1/2) of the wall.
+  expect_near(reflectance("pigment { brick rgb 0, rgb .8 brick_size <4, 2, 2> mortar 1 }"),
+              {0.3f, 0.3f, 0.3f});
+  // Linear from 0 to 0.8 over half of the values, constant over the rest: 0.4 / 2 + 0.8 / 2.
+  expect_near(reflectance("pigment { gradient x color_map { [0 rgb 0] [0.5 rgb .8] } turbulence 1 }"),
+              {0.6f, 0.6f, 0.6f});
+  // Entries of two values, as old files have them.
+  expect_near(reflectance("pigment { bozo color_map { [0, .5 color rgb .2 color rgb .2] [.5, 1 color rgb .6 "
+                          "color rgb .6] } }"),
+              {0.4f, 0.4f, 0.4f});
+  expect_near(reflectance("pigment { average pigment_map { [1 rgb .2] [3 checker rgb .4, rgb .8] } }"),
+              {0.5f, 0.5f, 0.5f});
+  expect_near(reflectance("pigment { granite }"), {0.5f, 0.5f, 0.5f});
+  EXPECT_TRUE(noted("pigment granite without colours is taken as grey"));
+  // Reflectances are mixed, not colours and finishes apart: (0.8 * 0.5 + 0.2 * 1) / 2.
+  expect_near(reflectance("texture { checker texture { pigment { rgb .8 } finish { diffuse .5 } }"
+                          " texture { pigment { rgb .2 } } }"),
+              {0.3f, 0.3f, 0.3f});
+}
+
+TEST_F(ImportPovLooks, layers_show_what_is_below) {
+  // Half of the upper layer is clear: 0.5 * 0.8 + 0.5 * 0.4.
+  expect_near(reflectance("texture { pigment { rgb .4 } } texture { pigment { rgbt <.8, .8, .8, .5> } }"),
+              {0.6f, 0.6f, 0.6f});
+  // A filter of 0.5 lets 0.5 of its own colour through: 0.5 * 0.8 + 0.4 * 0.4.
+  expect_near(reflectance("texture { pigment { rgb .4 } } texture { pigment { rgbf <.8, .8, .8, .5> } }"),
+              {0.56f, 0.56f, 0.56f});
+  EXPECT_THROW(reflectance("texture { pigment { rgbt .5 } }"), BadInput);
+  const Scene clear = import("box { 0, 1 pigment { rgbt 1 } }\nsphere { 9, 1 pigment { rgb 1 } }");
+  for (const Polygon& polygon : clear.polygons) EXPECT_EQ(clear.objects[polygon.object].name, "sphere");
+  EXPECT_TRUE(noted("clear surface left out: all light passes"));
+}
+
+TEST_F(ImportPovLooks, finishes_reflect_diffusely) {
+  expect_near(reflectance("pigment { rgb .5 } finish { diffuse .6 reflection .2 }"), {0.5f, 0.5f, 0.5f});
+  EXPECT_TRUE(noted("mirror reflection is taken as diffuse"));
+  // The mirror of a metal has its colour: 0.5 * 0.6 + 0.5 * 0.4.
+  expect_near(
+      reflectance("pigment { rgb .5 } finish { diffuse .6 reflection { 0, .4 fresnel on metallic } }"),
+      {0.5f, 0.5f, 0.5f});
+  expect_near(reflectance("pigment { rgb <3, .5, -1> }"), {0.98f, 0.5f, 0});
+  EXPECT_TRUE(noted("reflectance above 0.98 is taken as 0.98"));
+  EXPECT_TRUE(noted("negative reflectance is taken as 0"));
+}
+
+TEST_F(ImportPovLooks, skies_are_left_out_where_they_light_nothing) {
+  import("background { rgb 1 }\nsky_sphere { pigment { rgb 1 } }\nfog { distance 9 rgb 1 }\nbox { 0, 1 }");
+  EXPECT_TRUE(noted("background light is left out: without radiosity it lights nothing"));
+  EXPECT_TRUE(noted("sky_sphere is left out: without radiosity it lights nothing"));
+  EXPECT_TRUE(noted("fog is left out: it changes what is seen, not what is lit"));
+}
+
+TEST_F(ImportPovLooks, functions_have_the_values_of_their_declaration) {
+  expect_near(value("#declare A = 2; #declare F = function { x + A*y*z }\n#declare A = 9;", "F(1, 2, 3)"),
+              {13, 13, 13});
+  expect_near(value("#declare G = function(a, b) { pow(a, b) }\n#declare F = function(a) { G(a, 2) + 1 }",
+                    "<F(3), G(2, 3), 1>"),
+              {10, 8, 1});
+  expect_near(value("#declare F = function { transform { rotate 90*z translate x } }", "F(1, 2, 3)"),
+              {-1, 1, 3});
+  expect_near(value("#macro Of(H) H(2, 0, 0) #end\n#declare F = function { 3*x }", "Of(F)"), {6, 6, 6});
+}
+
+// Values that POV-Ray 3.7 printed.
+TEST_F(ImportPovLooks, splines_are_those_of_povray) {
+  const std::string points = " -1, <0,0,0>, 0, <1,2,3>, 1.5, <4,1,0>, 2, <2,2,5>, 4, <0,1,1> }";
+  expect_near(value("#declare S = spline { cubic_spline" + points, "S(0.8)"),
+              {3.11022222, 1.43348148, 0.64088889});
+  expect_near(value("#declare S = spline { natural_spline" + points, "S(0.8)"),
+              {3.59029333, 1.25454222, -0.35018667});
+  expect_near(value("#declare S = spline { quadratic_spline" + points, "S(0.8)"),
+              {2.37600000, 2.06400000, 2.52000000});
+  // Between (1, 2, 3) at 0 and (4, 1, 0) at 1.5.
+  expect_near(value("#declare S = spline {" + points, "S(0.5)"), {2, 2 - 1.0 / 3, 2});
+}
+
+TEST_F(ImportPovLooks, objects_are_measured) {
+  expect_near(value("#declare B = box { -1, <2, 3, 4> translate x }", "max_extent(B) - min_extent(B)"),
+              {3, 4, 5});
+  expect_near(value("#declare N = <0,0,0>; #declare P = trace(box { -1, 1 }, <.5, .25, -9>, z, N);", "P + N"),
+              {0.5, 0.25, -2});
+  expect_near(value("#declare B = difference { box { -1, 1 } box { 0, 2 } }",
+                    "<inside(B, -0.5), inside(B, 0.5), inside(B, 3)>"),
+              {1, 0, 0});
+}
+
+TEST_F(ImportPovLooks, files_of_the_folder_are_read) {
+  std::ofstream(folder_ / "below" / "n.txt") << "1.5, <2, -3, 4>, \"name\"\n7";
+  expect_near(
+      value("#fopen F \"below/n.txt\" read\n#read (F, A, B, C)\n#declare More = defined(F);\n#read (F, D)\n"
+            "#declare End = defined(F);\n#fclose F",
+            "<A, B.y, D + strlen(C)>"),
+      {1.5, -3, 11});
+  expect_near(value("#declare S = 0;\n#fopen F \"below/n.txt\" read\n#while (defined(F)) #read (F, A) "
+                    "#declare S = S + 1; "
+                    "#end",
+                    "S"),
+              {4, 4, 4});
+}
+
+}  // namespace
+}  // namespace strad
