@@ -38,7 +38,10 @@ refused 'cannot be opened: File name too long' e.ini
 echo 'triangle { 0, x, y pigment { image_map { png "/dev/zero" } } }' >f.pov
 refused 'f.pov:1: /dev/zero: is no plain file' f.pov
 printf "mtllib /dev/zero\n${square}f 1 2 3\n" >g.obj
-refused '/dev/zero: is not a text file' g.obj
+refused 'g.obj:1: material file "/dev/zero" is no plain file' g.obj
+mkfifo m.fifo
+printf "mtllib m.fifo\n${square}f 1 2 3\n" >i.obj
+refused 'i.obj:1: material file "m.fifo" is no plain file' i.obj
 refused '/dev/zero: is not a text file' /dev/zero
 refused '/dev/zero: is not a glTF file' --from gltf /dev/zero
 

@@ -65,8 +65,10 @@ void MaterialLoader::read_mtl_file(const std::string& reference, uint32_t line) 
   const std::string path = found_path(path_, reference);
   if (std::find(read_.begin(), read_.end(), path) != read_.end()) return;
   read_.push_back(path);
-  if (!file_exists(path))
-    return missing("material file " + in_quotes(path, path.size()) + " is missing", name_, line);
+  if (!is_plain_file(path)) {  // a pipe or a device would have to be waited for
+    const char* const fault = file_exists(path) ? " is no plain file" : " is missing";
+    return missing("material file " + in_quotes(path, path.size()) + fault, name_, line);
+  }
   for (const MtlMaterial& material : read_mtl(path)) add(material);
 }
 

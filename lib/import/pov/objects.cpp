@@ -32,7 +32,7 @@ size_t bytes_of(const PovObject& object) {
   size_t bytes = sizeof object + object.points.size() * sizeof(Vec3) + object.uvs.size() * sizeof(Vec2) +
                  object.lights.size() * sizeof(PovLight) + object.shapes.size() * sizeof(uint32_t) +
                  (object.problems.size() + object.notes.size()) * sizeof(PovProblem);
-  for (const std::string& part : object.parts) bytes += sizeof part + part.size();
+  for (const std::string& part : object.parts) bytes += sizeof(std::string) + part.size();
   for (const PovFacet& facet : object.facets)
     bytes += sizeof facet + (facet.corners.size() + facet.uvs.size()) * sizeof(uint32_t);
   return bytes;
