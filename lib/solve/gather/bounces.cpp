@@ -73,7 +73,8 @@ void fill_blocked_leaves(const NodeTree& tree, const std::vector<BlockedLeaf>& b
 // What the leaves reflect of direct light and of `radiance`, by one gather along rays.
 FunctionBlock reflected_by_rays(const Workspace& work, const DirectOfLeaves& direct,
                                 const FunctionBlock& radiance, double tolerance, uint64_t* rays) {
-  const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, radiance, {kLeafRays, tolerance});
+  const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, radiance,
+                           {work.leaf_rays, tolerance});
   const std::vector<uint32_t>& leaves = radiance.rows();
   FunctionBlock reflected(work.tree.leaf_count(), leaves, radiance.sample_count());
   std::vector<uint64_t> traced(leaves.size(), 0);

@@ -18,8 +18,6 @@
 
 namespace strad {
 
-// Rays per leaf: noise of some 5 % (10 % for a small face), averaged over the hundreds that a point sees.
-constexpr int kLeafRays = 128;
 constexpr float kLeastUnblocked = 0.2f;  // of the view of a leaf: below, its few free rays say too little
 
 struct GatherAccuracy {

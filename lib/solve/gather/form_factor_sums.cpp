@@ -29,11 +29,11 @@ View view_of(const GatherSpace& space, const Receiver& receiver) {
   return {static_cast<float>(lit) / all, static_cast<float>(unlit) / all};
 }
 
-View view_of(const GatherSpace& space, uint32_t n) {
+View view_of(const GatherSpace& space, uint32_t n, int rays) {
   const Node& node = space.tree.nodes()[n];
   if (!node.is_cluster()) {
-    Receiver receiver = receiver_of_patch(space.tree, node, kLeafRays);
-    receiver.rays = kLeafRays;
+    Receiver receiver = receiver_of_patch(space.tree, node, rays);
+    receiver.rays = rays;
     return view_of(space, receiver);
   }
   View mean;
@@ -44,7 +44,7 @@ View view_of(const GatherSpace& space, uint32_t n) {
     receiver.normal = sample.normal;
     receiver.body = node.body;
     receiver.seed = hash_of(n, 4, static_cast<uint64_t>(s));
-    receiver.rays = std::max(1, kLeafRays / Cluster::kSamples);
+    receiver.rays = std::max(1, rays / Cluster::kSamples);
     const View view = view_of(space, receiver);
     mean.lit += view.lit / Cluster::kSamples;
     mean.unlit += view.unlit / Cluster::kSamples;
@@ -61,12 +61,12 @@ std::vector<float> form_factor_sums_by_rays(const Workspace& work, uint64_t* ray
   parallel_for(nodes.size(), 16, [&](size_t begin, size_t end) {
     for (size_t n = begin; n < end; ++n) {
       if (!nodes[n].is_leaf()) continue;
-      const View view = view_of(space, static_cast<uint32_t>(n));
+      const View view = view_of(space, static_cast<uint32_t>(n), work.leaf_rays);
       form_factor_sums[n] = view.lit / std::max(1 - view.unlit, kLeastUnblocked);
     }
   });
   for (const Node& node : nodes)
-    if (node.is_leaf()) *rays += kLeafRays;
+    if (node.is_leaf()) *rays += static_cast<uint64_t>(work.leaf_rays);
   return form_factor_sums;
 }
 

@@ -102,6 +102,16 @@ bool IndirectPhase::is_partly_blocked(uint32_t element) const {
   return false;
 }
 
+// The largest irradiance at the corners over time, by what an error counts there.
+float IndirectPhase::brightest_at_corners(uint32_t element) const {
+  const Element& e = builder_.mesh().elements[element];
+  float most = 0;
+  for (int i = 0; i < e.corner_count(); ++i)
+    for (const Rgb& value : functions_[e.vertices[i]].irradiance.unpacked())
+      most = std::max(most, max_channel(value) * weight_of(value));
+  return most;
+}
+
 // What an error counts where the irradiance is this: 1 where it is bright.
 float IndirectPhase::weight_of(Rgb irradiance) const {
   const float local = std::max(max_channel(irradiance), options_.dark);
@@ -116,11 +126,11 @@ bool IndirectPhase::worth_splitting(uint32_t element) const {
   const double edge = std::max(length(at(1) - at(0)), length(at(2) - at(1)));
   if (edge < 2 * options_.smallest_element) return false;
   if (edge > 2 * options_.largest_element) return true;
-  if (is_partly_blocked(element)) return true;
   const Polygon& polygon = scene_.polygons[mesh.faces[builder_.face_of(element)].polygon];
   const double area = length(cross(at(1) - at(0), at(2) - at(0))) * (e.corner_count() == 4 ? 1 : 0.5);
   const auto scale = static_cast<float>(max_channel(scene_.materials[polygon.material].reflectance) / kPi *
                                         std::sqrt(0.25 * area / total_area_));
+  if (scale * brightest_at_corners(element) > options_.threshold && is_partly_blocked(element)) return true;
   uint32_t middles[5];
   const int count = builder_.middles(element, middles);
   for (int m = 0; m < count; ++m) {

@@ -42,6 +42,7 @@ class IndirectPhase {
   void evaluate(const std::vector<uint32_t>& vertices);
   bool worth_splitting(uint32_t element) const;
   bool is_partly_blocked(uint32_t element) const;
+  float brightest_at_corners(uint32_t element) const;
   void fill_blocked_vertices();
   void denoise();
   std::vector<std::vector<Rgb>> gather_undivided_face(uint32_t face, uint64_t* rays) const;

@@ -19,6 +19,7 @@ struct Workspace {
   const NodeTree& tree;
   const Tracer& tracer;
   const SweptBounds& swept;
+  int leaf_rays = 128;  // per leaf of a large face
 };
 
 // The surface of a leaf (see NodeTree::leaf_at): a patch, or a face of a leaf cluster.

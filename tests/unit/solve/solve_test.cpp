@@ -37,7 +37,8 @@ SolveOptions rough() {
 
 // E = pi L of all that a point sees: pi of emission, and as much again of what is reflected, for
 // L = Le / (1 - rho) = 2. So at every vertex of the mesh, in a whole solve and at an instant: 2 % of noise
-// for direct light and 3 % for the 160 rays or more of a gather.
+// for direct light and 3 % for the 64 rays of a gather, which all meet the same radiance
+// but for the noise of leaves.
 void expect_furnace(const Slab& slab, double time) {
   const VertexLight light = light_at(slab, time);
   double mean = 0;
@@ -112,6 +113,17 @@ TEST(Solve, AnyNumberOfThreadsGivesTheSameSolution) {
   expect_same(one.slab.indirect, three.slab.indirect);
   EXPECT_EQ(one.stats.total.rays, three.stats.total.rays);
   EXPECT_EQ(one.work.links, three.work.links);
+}
+
+// At 25 times the default error a vertex and a leaf send an eighth and a quarter of the rays, and there are
+// fewer of both and fewer looks at the box: an eighth of all rays of gathers is more than a draft may take.
+TEST(Solve, ADraftTracesFewRays) {
+  SolveOptions draft;
+  draft.error = 0.5;
+  const SolveStats few = solve(room_with_spot(5), draft).stats, many = solve(room_with_spot(5), {}).stats;
+  EXPECT_GT(few.gather.rays, 0u);
+  EXPECT_LT(8 * few.gather.rays, many.gather.rays);
+  EXPECT_LT(4 * few.bounces.rays, many.bounces.rays);
 }
 
 // Each phase begins once, in order, and no later than what is done.
