@@ -28,9 +28,13 @@ std::vector<std::string> ImportReport::lines() const {
 }
 
 std::string ImportReport::first_left_out() const {
-  for (const std::string& line : lines())
-    if (line.find("left out") != line.npos) return line;
-  return "";
+  std::string looks_only;  // "is left out": what is never taken
+  for (const std::string& line : lines()) {
+    if (line.find(" left out") == line.npos) continue;
+    if (line.find(" is left out") == line.npos) return line;
+    if (looks_only.empty()) looks_only = line;
+  }
+  return looks_only;
 }
 
 void refuse_missing(const std::string& what, const std::string& file, uint32_t line,

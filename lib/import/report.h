@@ -18,7 +18,7 @@ class ImportReport {
   // `line` 0: the whole file.
   void add(const std::string& what, const std::string& file, uint32_t line);
   std::vector<std::string> lines() const;
-  // The first line of what was left out, or "".
+  // The first line of what was left out, at best of what was not supported; or "".
   std::string first_left_out() const;
 
  private:

@@ -4,7 +4,8 @@
 #   povray_examples.sh [FOLDER]   the scenes below FOLDER; /usr/share/doc/povray/examples (povray-examples) without it
 #   KEEP=FILE                     keep the table: file, strict, skip or refused, CPU seconds, and the reason or -
 #
-# A scene that kills the tool, takes more than LIMIT (60) seconds or 4 GB counts as `died`, which nothing may.
+# A scene that kills the tool, takes more than LIMIT (60) seconds by the clock or 4 GB counts as `died`; on a busy machine
+# raise LIMIT.
 # A reason is the first thing that is refused: files that lack several things are counted under one of them.
 set -eu -o pipefail
 export LC_ALL=C

@@ -7,7 +7,7 @@ strad-import $scene.obj | strad-motion $scene.motion >scene.strad
 strad-solve -q -e 0.3 scene.strad >solved.strad
 echo 'time 0 9' >short.motion
 strad-motion short.motion solved.strad >short.strad 2>note
-[ "$(wc -l <note)" = 1 ]
+[ "$(grep -vc warning: note)" = 1 ]  # warnings tell of keys after the new end
 grep -q '^strad-motion: .*solution' note
 strad-motion -q short.motion solved.strad >short.strad 2>note
 [ ! -s note ]

@@ -95,13 +95,29 @@ PovObject PovSceneReader::blob_shape() {
   double threshold = 1;
   std::vector<BlobPart> parts;
   Box box;
-  while (in_.next_is("threshold") || in_.next_is("sphere") || in_.next_is("cylinder")) {
+  const auto reach = [&box](const BlobPart& part, const PovTransform& placed) {
+    for (const Vec3 end : {part.from, part.to})
+      for (int corner = 0; corner < 8; ++corner)
+        box.add(placed.point(end + part.radius * Vec3{corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0,
+                                                      corner & 4 ? 1.0 : -1.0}));
+  };
+  while (in_.next_is("threshold") || in_.next_is("sphere") || in_.next_is("cylinder") ||
+         in_.next_is("component")) {
     const std::string word(in_.take().text);
     if (word == "threshold") {
       threshold = in_.number();
       continue;
     }
     BlobPart part;
+    if (word == "component") {  // an old form: strength, radius, centre
+      part.strength = in_.number();
+      in_.skip_comma();
+      part.radius = std::abs(in_.number());
+      in_.skip_comma();
+      part.from = part.to = in_.vector();
+      if (part.radius > 0) reach(part, {}), parts.push_back(part);
+      continue;
+    }
     in_.expect("{");
     part.from = part.to = in_.vector();
     in_.skip_comma();
@@ -119,10 +135,7 @@ PovObject PovSceneReader::blob_shape() {
     }
     if (!(part.radius > 0)) continue;
     part.back = inverse_of(placed);
-    for (const Vec3 end : {part.from, part.to})
-      for (int corner = 0; corner < 8; ++corner)
-        box.add(placed.point(end + part.radius * Vec3{corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0,
-                                                      corner & 4 ? 1.0 : -1.0}));
+    reach(part, placed);
     parts.push_back(part);
   }
   if (parts.empty()) fail_at(at.file, at.line, "a blob has no parts");

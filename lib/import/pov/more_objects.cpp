@@ -2,13 +2,14 @@
 // constructive solid geometry.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <limits>
 
 #include "base/error.h"
 #include "base/text.h"
 #include "import/pov/csg.h"
 #include "import/pov/implicit.h"
 #include "import/pov/scene_reader.h"
+#include "import/pov/shapes.h"
 #include "import/pov/solids.h"
 #include "import/pov/text_outline.h"
 #include "import/pov/turned.h"
@@ -42,6 +43,29 @@ std::vector<std::vector<Vec2>> rings_of_controls(const std::string& kind, const 
     first = end + 1;
   }
   return rings;
+}
+
+// The box of what objects have in common of which none is finite by itself, such as planes that cut off a
+// quadric.
+std::optional<Box> common_box(const std::vector<PovObject>& objects) {
+  std::vector<PovField> fields;
+  for (const PovObject& object : objects) {
+    const double sign = object.solid.inverse ? -1 : 1;
+    if (object.pending) {
+      fields.push_back([sign, field = object.pending->field, back = inverse_of(object.pending->placed)](
+                           Vec3 p) { return sign * field(back.point(p)); });
+    } else if (object.solid.kind != PovSolid::kNothing) {
+      fields.push_back([solid = settled(object.solid)](Vec3 p) { return is_inside(solid, p) ? -1.0 : 1.0; });
+    }
+  }
+  const PovField all = [&fields](Vec3 p) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const PovField& field : fields) most = std::max(most, field(p));
+    return most;
+  };
+  for (const double reach : {4.0, 40.0, 400.0})
+    if (const auto box = box_of_field(all, reach)) return box;
+  return {};
 }
 
 }  // namespace
@@ -214,6 +238,9 @@ PovObject PovSceneReader::intersection_shape(bool difference) {
     if (first) wanted = box;
     first = false;
   }
+  const bool any_pending = std::any_of(objects.begin(), objects.end(),
+                                       [](const PovObject& object) { return object.pending.has_value(); });
+  if (wanted.empty() && any_pending) wanted = common_box(objects).value_or(Box{});
   for (PovObject& object : objects) {
     if (!object.pending) continue;
     const Vec3 margin = 0.05 * (wanted.upper - wanted.lower);

@@ -115,6 +115,14 @@ bool PovSceneReader::pattern_item(PovPattern* pattern) {
     pattern->place = at;
     pattern->list.clear();
     pattern_list(pattern, count);
+  } else if (in_.take_if("tiles")) {  // { texture A tile2 texture B }
+    in_.expect("{");
+    pattern->word = word;
+    pattern->place = at;
+    pattern_list(pattern, 1);
+    if (!in_.take_if("tile2")) in_.fail_expected("tile2");
+    pattern_list(pattern, 2);
+    in_.expect("}");
   } else if (word == "brick_size") {
     in_.take();
     pattern->brick = in_.vector();

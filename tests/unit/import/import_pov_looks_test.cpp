@@ -71,6 +71,10 @@ TEST_F(ImportPovLooks, patterns_have_their_mean_colour) {
               {0.5f, 0.5f, 0.5f});
   expect_near(reflectance("pigment { granite }"), {0.5f, 0.5f, 0.5f});
   EXPECT_TRUE(noted("pigment granite without colours is taken as grey"));
+  expect_near(
+      reflectance(
+          "texture { tiles { texture { pigment { rgb .2 } } tile2 texture { pigment { rgb .4 } } } }"),
+      {0.3f, 0.3f, 0.3f});
   // Reflectances are mixed, not colours and finishes apart: (0.8 * 0.5 + 0.2 * 1) / 2.
   expect_near(reflectance("texture { checker texture { pigment { rgb .8 } finish { diffuse .5 } }"
                           " texture { pigment { rgb .2 } } }"),

@@ -186,6 +186,12 @@ TEST_F(ImportPovShapes, finds_surfaces_of_functions) {
       volume_of(import("#declare R2 = 0.64; isosurface { function { x*x + y*y + z*z - R2 } contained_by {"
                        " box { <-1, 0, -1>, 1 } } }")),
       ball / 2 * 0.512, 0.03 * ball / 2 * 0.512);
+  // Planes that cut off a cylinder: of radius 1 and 2 m high.
+  EXPECT_NEAR(
+      volume_of(import("intersection { quadric { <1, 0, 1>, 0, 0, -1 } plane { y, 1 } plane { -y, 1 } }")),
+      2 * kPi, 0.03 * 2 * kPi);
+  EXPECT_NEAR(volume_of(import("blob { threshold .25 component 1, 1, <0, 0, 0> }")),
+              ball * std::pow(0.5, 1.5), 0.03 * ball);
   // x^2 + y^2 + z^2 - 1 as a polynomial of second order: x2 xy xz x y2 yz y z2 z 1.
   EXPECT_NEAR(volume_of(import("poly { 2, <1, 0, 0, 0, 1, 0, 0, 1, 0, -1> }")), ball, 0.03 * ball);
   EXPECT_NEAR(area_of(import("bicubic_patch { type 1 flatness 0 u_steps 3 v_steps 3"

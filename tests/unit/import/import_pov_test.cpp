@@ -356,6 +356,8 @@ TEST_F(ImportPov, refuses_by_name_what_it_cannot_show) {
     const std::string left_out = expected.substr(0, expected.size() - std::string("is not supported").size());
     EXPECT_TRUE(note(0).starts_with(left_out + "left out")) << note(0);
   }
+  EXPECT_EQ(refusal("background { rgb 1 }\njulia_fractal { 0 }"),
+            "room.pov: has no polygons but what was left out; room.pov:2: julia_fractal left out");
 }
 
 TEST_F(ImportPov, refuses_broken_files_with_their_line) {

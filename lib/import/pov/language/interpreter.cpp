@@ -112,11 +112,13 @@ void PovInterpreter::skip_block() {
 
 void PovInterpreter::skip_item() {
   take();
-  while (true) {
+  for (int brackets = 0;;) {
     const PovToken& token = peek();
     if (next_is("{")) return skip_block();
     if (next_is("}") || token.kind == PovKind::kEnd) return;
+    if (next_is("]") && brackets == 0) return;  // of the map that the item is in
     if (token.kind == PovKind::kWord && !expression_is_next()) return;
+    if (token.kind == PovKind::kSymbol) brackets += token.text == "[" ? 1 : token.text == "]" ? -1 : 0;
     take();
   }
 }
