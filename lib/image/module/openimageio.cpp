@@ -201,7 +201,7 @@ std::string encode(const std::string& format, bool eight_bits, const Image& imag
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
   if (!output) return "no writer for this format: " + first_line(OIIO::geterror());
   OIIO::Filesystem::IOVecOutput memory;
-  const bool by_name = is_word_format(format) || !output->supports("ioproxy");
+  const bool by_name = format == "tif" || format == "tiff" || !output->supports("ioproxy");
   const MemoryFile file;
   if (!by_name) output->set_ioproxy(&memory);
   if (!output->open(by_name ? file.name() : "picture." + format, spec_for(image, format, eight_bits)) ||
