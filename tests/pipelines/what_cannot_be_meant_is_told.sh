@@ -32,7 +32,10 @@ printf 'mtllib m.mtl\nusemtl grey\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >dark.o
 strad-import dark.obj >dark.strad
 told 'the scene has no light: no polygon emits, and there is no spotlight' strad-solve dark.strad
 printf 'time 0 1\nglow grey\n  key 0 value 1\n  key 1 value 2\n' >glow.motion
-told 'glow "grey": the material emits nothing, and stays dark' strad-motion glow.motion dark.strad
+printf 'newmtl grey\nKd 0.5 0.5 0.5\nnewmtl lamp\nKe 1 1 1\n' >m.mtl
+printf 'mtllib m.mtl\nusemtl grey\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nusemtl lamp\nf 1 2 4\n' >lit.obj
+strad-import lit.obj >lit.strad
+told 'glow "grey": the material emits nothing, and stays dark' strad-motion glow.motion lit.strad
 
 refused "--rel-rmse: found '1%', expected a plain number: 0.01" strad-diff --rel-rmse 1% solved.strad solved.strad
 refused "-e,--error: found '2%', expected a plain number: 0.02" strad-solve -e 2% scene.strad

@@ -70,8 +70,11 @@ void PovInterpreter::obey_declare(bool local) {
   if (next_is("[")) return declare_element(name);
   expect("=");
   PovValue declared = value();
-  if (const auto* array = std::get_if<std::shared_ptr<PovArray>>(&declared))
-    declared = std::make_shared<PovArray>(**array);  // a copy, where macros get the array itself
+  if (const auto* array = std::get_if<std::shared_ptr<PovArray>>(&declared);
+      array && array->use_count() > 1) {  // a copy of one that has a name, where macros get the array itself
+    charge((*array)->items.size() * sizeof((*array)->items[0]));
+    declared = std::make_shared<PovArray>(**array);
+  }
   if (auto* thing = std::get_if<std::any>(&declared)) statements_->name_declared(name, thing);
   declare(name, std::move(declared), local);
   if (next_is_plainly(";")) take();
