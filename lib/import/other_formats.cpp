@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 
 namespace strad {
@@ -43,7 +44,7 @@ bool is_gltf_text(std::string_view text) {
 }  // namespace
 
 void refuse_other_format(const std::string& path, const std::string& format) {
-  if (path == "-" || format == "gltf") return;
+  if (format == "gltf" || !is_plain_file(path)) return;  // what is read from a pipe is gone
   std::ifstream file(path, std::ios::binary);
   std::string head(4096, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
