@@ -24,6 +24,8 @@ SolveArguments parse_arguments(int argc, char** argv) {
   options.jobs();
   options.number("-e,--error", "E", &a.solve.error,
                  "tolerated error, fraction of the scene's mean radiance (0.02)");
+  options.number("--dark", "D", &a.solve.dark,
+                 "share of bright light below which errors count no more, 0 to 1 (1e-4)");
   options.choice("--basis", {"m1", "m2", "m3"}, &basis,
                  "functions of time: m1 constant (Haar), m2 linear, m3 quadratic (m3)");
   options.text("--time", "A:B", &slab, "solve only the slab from A to B seconds");

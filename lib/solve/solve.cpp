@@ -24,9 +24,6 @@
 namespace strad {
 namespace {
 
-// Errors count relative to the local light, down to this share of what is bright.
-constexpr double kDark = 1e-4;
-
 // Rays per vertex: at the default error their noise is below 1 % (3 % for a small face) and the same at all
 // times. A larger tolerated error gives fewer: in strata noise falls almost as fast as rays are added
 // (Mitchell 1996).
@@ -93,16 +90,19 @@ DirectOptions direct_options(double diagonal, double error, double mean, float t
   // Some thousands of elements are alive at an instant, and their squared errors add up.
   options.threshold = static_cast<float>(error * mean / 5);
   options.tolerance = tolerance;
+  // The noise of stratified shadow rays falls at least with the root of their number.
+  options.emitter_samples = static_cast<int>(16 * std::clamp(std::sqrt(0.02 / error), 0.25, 1.0));
   return options;
 }
 
-IndirectOptions indirect_options(double diagonal, double error, double mean, float tolerance) {
+// `dark`: as in SolveOptions.
+IndirectOptions indirect_options(double diagonal, double error, double mean, double dark, float tolerance) {
   IndirectOptions options;
   options.largest_element = diagonal / 12;
   options.smallest_element = diagonal / 100;
   options.smoothed_up_to = diagonal / 20;
   options.bright = static_cast<float>(kPi * mean);
-  options.dark = static_cast<float>(kDark) * options.bright;
+  options.dark = static_cast<float>(dark) * options.bright;
   options.threshold = static_cast<float>(error * mean / 8);
   options.tolerance = tolerance;
   return options;
@@ -118,6 +118,8 @@ void check(const Scene& scene, const SolveOptions& options) {
   };
   if (!(options.error > 0) || !std::isfinite(options.error))
     throw BadInput("error: found " + std::to_string(options.error) + ", expected a number above 0");
+  if (!(options.dark > 0 && options.dark <= 1))
+    throw BadInput("dark: found " + std::to_string(options.dark) + ", expected a share above 0, at most 1");
   if (options.order < 1 || options.order > kMaxOrder)
     throw BadInput("basis: found order " + std::to_string(options.order) + ", expected 1 to 3");
   if (options.instant && (options.begin || options.end))
@@ -177,7 +179,7 @@ struct Prepared {
 RefinedLinks links_of(const Workspace& work, const Prepared& p, const SolveOptions& options,
                       const DirectPhase& direct, NodeTree* tree, SolveStats* stats) {
   const LinkOptions link_options{options.error * p.expected_radiance / 8, p.diagonal / 150,
-                                 p.expected_radiance, kDark, options.residual};
+                                 p.expected_radiance, options.dark, options.residual};
   const auto sums = [&](uint64_t* rays) { return form_factor_sums_by_rays(work, rays); };
   RefinedLinks links = refine_links(work, p.instants, link_options, direct, sums, tree);
   if (options.look_at_links) options.look_at_links(*tree, links.table);
@@ -229,7 +231,8 @@ Field gather_surpluses(const SolveOptions& options, const NodeTree& tree, LeafLi
   const FinalGather gather(tree, p->tracer, p->grid, p->swept, light.radiance,
                            {rays_for(options.error), options.error / 5});
   IndirectPhase indirect(p->scene, p->grid, gather,
-                         indirect_options(p->diagonal, options.error, light.mean, p->tolerance), &p->builder);
+                         indirect_options(p->diagonal, options.error, light.mean, options.dark, p->tolerance),
+                         &p->builder);
   indirect.run();
   stats->gather.rays = indirect.rays();
   light = {};

@@ -16,7 +16,9 @@ class NodeTree;
 struct LinkTable;
 
 struct SolveOptions {
-  double error = 0.02;          // tolerated error, fraction of the scene's mean radiance, > 0
+  double error = 0.02;  // tolerated error, fraction of the scene's mean radiance, > 0
+  // Errors count relative to the light that is there, down to this share of what is bright; 1: all alike.
+  double dark = 1e-4;
   int order = 3;                // temporal basis M_order: 1 constant (Haar), 2 linear, 3 quadratic
   std::optional<double> begin;  // s: solve only [begin, end]
   std::optional<double> end;
