@@ -1,7 +1,6 @@
 # A room lit through two doors has a ten thousandth of the light of the first: with --dark 1 errors count alike everywhere,
 # so that its links are as coarse as they can be; the usual share asks for more of them, and a smaller one for more again.
 cd "$(mktemp -d)"
-# What is no share is refused.
 trap 'rm -rf "$PWD"' EXIT
 
 "$STRAD_SOURCE_DIR/scenes/trials/trials.sh" doors doors
@@ -14,6 +13,7 @@ alike=$(links --dark 1) usual=$(links) darker=$(links --dark 1e-6)
 [ "$alike" -lt "$usual" ]
 [ "$usual" -lt "$darker" ]
 
+# What is no share is refused.
 for share in 0 -0.1 1.5 nan; do
   status=0
   strad-solve --dark=$share -o none.strad scene.strad 2>err || status=$?
