@@ -161,7 +161,7 @@ struct Prepared {
   float tolerance;           // W / m^2, of functions of time
   MeshBuilder builder;
 
-  Prepared(const Scene& s, const SolveOptions& options)
+  Prepared(const Scene& s, const std::vector<bool>& dark, const SolveOptions& options)
       : scene(s),
         grid(grid_for(s, options)),
         instants(instants_of(s, grid)),
@@ -171,7 +171,7 @@ struct Prepared {
         expected_radiance(expected_mean_radiance(s, instants)),
         tolerance(static_cast<float>(options.error * expected_radiance * kPi / 5)),
         builder(s) {
-    builder.add_faces(reached_sides(s, tracer, grid), diagonal / 100);
+    builder.add_faces(reached_sides(s, tracer, grid, dark), diagonal / 100);
   }
   Prepared(const Prepared&) = delete;
 };
@@ -240,8 +240,10 @@ Field gather_surpluses(const SolveOptions& options, const NodeTree& tree, LeafLi
   return indirect.take_surpluses();
 }
 
-Slab solve_untextured(const Scene& scene, const SolveOptions& options, PhaseClock* clock, SolveStats* stats) {
-  Prepared p(scene, options);
+// `dark`: see CutScene.
+Slab solve_untextured(const Scene& scene, const std::vector<bool>& dark, const SolveOptions& options,
+                      PhaseClock* clock, SolveStats* stats) {
+  Prepared p(scene, dark, options);
   Slab slab;
   slab.grid = p.grid;
 
@@ -286,11 +288,13 @@ Solved solve(Scene scene, const SolveOptions& options, const Progress& progress)
   Solved solved;
   PhaseClock clock(progress);
   clock.begin(0, "preparation", &solved.stats.prepare);
-  solved.scene = cut_under_walls(std::move(scene));
+  CutScene cut = cut_under_walls(std::move(scene));
+  solved.scene = std::move(cut.scene);
   if (solved.scene.textures.empty())
-    solved.slab = solve_untextured(solved.scene, options, &clock, &solved.stats);
+    solved.slab = solve_untextured(solved.scene, cut.dark, options, &clock, &solved.stats);
   else
-    solved.slab = solve_untextured(with_mean_reflectances(solved.scene), options, &clock, &solved.stats);
+    solved.slab =
+        solve_untextured(with_mean_reflectances(solved.scene), cut.dark, options, &clock, &solved.stats);
   measure(solved.slab, &solved.stats);
   solved.work = work_of(solved.slab, solved.stats);
   return solved;

@@ -116,16 +116,19 @@ bool finds_light(const Scene& scene, const ConnectedSurfaces& surfaces, uint32_t
 
 }  // namespace
 
-std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const TimeGrid& grid) {
+std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const TimeGrid& grid,
+                                const std::vector<bool>& known_dark) {
   const ConnectedSurfaces surfaces(scene);
   const std::vector<Instant> instants = instants_over(scene, grid);
   const LightWalks walks(scene, tracer, instants);
   const std::vector<char> dark = surely_dark(scene, surfaces, instants);
+  const auto is_known_dark = [&](uint32_t side) { return !known_dark.empty() && known_dark[side]; };
   std::vector<char> is_reached(surfaces.count(), 0);
   parallel_for(surfaces.count(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const auto s = static_cast<uint32_t>(i);
       if (dark[s] || !walks.has_lights()) continue;
+      if (std::all_of(surfaces.begin(s), surfaces.end(s), is_known_dark)) continue;
       uint64_t hits = 0;
       for (const uint32_t* side = surfaces.begin(s); side != surfaces.end(s); ++side)
         hits += walks.hits()[*side];
@@ -137,7 +140,7 @@ std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const 
   parallel_for(covered.size(), 256, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const auto side = static_cast<uint32_t>(i);
-      if (!on_reached(side)) continue;
+      if (!on_reached(side) || is_known_dark(side)) continue;
       covered[side] = true;
       for (uint64_t key = 0; covered[side] && key < kCoverRays; ++key) {
         const uint32_t seen = walks.side_seen_from(side, key);
@@ -146,7 +149,8 @@ std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const 
     }
   });
   std::vector<bool> reached(2 * scene.polygons.size());
-  for (uint32_t side = 0; side < reached.size(); ++side) reached[side] = on_reached(side) && !covered[side];
+  for (uint32_t side = 0; side < reached.size(); ++side)
+    reached[side] = on_reached(side) && !covered[side] && !is_known_dark(side);
   return reached;
 }
 

@@ -18,6 +18,8 @@ namespace strad {
 //   thousands find none: less than a thousandth of its view can then hold any light.
 // Of a reached surface, a side of a polygon on which something stands, so that all of thousands of rays meet
 // only dark surfaces, is dark too.
-std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const TimeGrid& grid);
+// `dark`: sides that are known to be dark, or empty.
+std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const TimeGrid& grid,
+                                const std::vector<bool>& dark = {});
 
 }  // namespace strad

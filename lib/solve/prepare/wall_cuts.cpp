@@ -149,7 +149,7 @@ class Walls {
   Walls(const Scene& scene, const std::vector<Pose>& poses, const std::vector<Contact>& contacts)
       : scene_(scene), poses_(poses), tracer_(scene) {
     for (const Contact& contact : contacts) stands_.insert({contact.floor, contact.wall});
-    const TimeGrid grid = scene.end > scene.start ? make_time_grid(scene.start, scene.end, {}, 1, 24)
+    const TimeGrid grid = scene.end > scene.start ? make_time_grid(scene.start, scene.end, {}, 1, 64)
                                                   : instant_grid(scene.start);
     reached_ = reached_sides(scene, tracer_, grid);
   }
@@ -169,6 +169,7 @@ class Walls {
     return hit.polygon != kNone && (hit.distance < kThin * tracer_.scene_box().diagonal() ||
                                     !stands_.contains({contact.floor, hit.polygon}));
   }
+  const std::vector<bool>& reached() const { return reached_; }  // see reached_sides
 
  private:
   const Scene& scene_;
@@ -211,23 +212,33 @@ std::vector<Piece> cut(const Piece& piece, Vec3 normal, const Contact& contact, 
 
 }  // namespace
 
-Scene cut_under_walls(Scene scene) {
+CutScene cut_under_walls(Scene scene) {
   Box box;
   for (const Vec3& vertex : scene.vertices) box.add(vertex);
   const double diagonal = box.diagonal();
   const std::vector<Pose> poses = poses_at(scene, scene.start);
   std::vector<Contact> contacts = contacts_of(large_flats(scene, poses, diagonal), diagonal);
-  if (contacts.empty()) return scene;
+  if (contacts.empty()) return {std::move(scene), {}};
+  std::vector<bool> reached;
   {
     const Walls walls(scene, poses, contacts);
     std::erase_if(contacts, [&](const Contact& contact) { return !walls.is_wall(contact); });
+    reached = walls.reached();
   }
   std::vector<Polygon> polygons;
+  std::vector<bool> dark;
+  const auto keep_dark = [&](uint32_t uncut, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+      dark.push_back(!reached[2 * uncut]);
+      dark.push_back(!reached[2 * uncut + 1]);
+    }
+  };
   auto contact = contacts.begin();  // in order of floors
   for (uint32_t p = 0; p < scene.polygons.size(); ++p) {
     const Polygon polygon = scene.polygons[p];
     if (contact == contacts.end() || contact->floor != p) {
       polygons.push_back(polygon);
+      keep_dark(p, 1);
       continue;
     }
     const Pose& pose = poses[body_of(scene, polygon)];
@@ -246,9 +257,10 @@ Scene cut_under_walls(Scene scene) {
     }
     const std::vector<Polygon> parts = polygons_of(pieces, polygon, &scene);
     polygons.insert(polygons.end(), parts.begin(), parts.end());
+    keep_dark(p, parts.size());
   }
   scene.polygons = std::move(polygons);
-  return scene;
+  return {std::move(scene), std::move(dark)};
 }
 
 }  // namespace strad

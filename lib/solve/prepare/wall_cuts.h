@@ -5,15 +5,24 @@
 // stands on it.
 #pragma once
 
+#include <vector>
+
 #include "scene/scene.h"
 
 namespace strad {
+
+struct CutScene {
+  Scene scene;
+  // [2 * polygon + side]: sides that no light reaches at any time, known from the scene before it was cut,
+  // where the surfaces that enclose a space were whole. Empty where nothing was looked at.
+  std::vector<bool> dark;
+};
 
 // The scene with polygons at rest cut where a wall at rest stands on them or passes through them. The polygon
 // must measure at least a twentieth of the scene's diagonal; the contact must be at least a fiftieth of it
 // long, and the wall as high. A wall is a surface that light reaches on both sides, a surface with a dark
 // room behind it, or a side of a solid thinner than a fiftieth of the diagonal. Polygons are not cut along
 // furniture.
-Scene cut_under_walls(Scene scene);
+CutScene cut_under_walls(Scene scene);
 
 }  // namespace strad

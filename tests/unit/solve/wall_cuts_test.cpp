@@ -46,7 +46,7 @@ bool crosses(const Scene& scene, double x, double y0, double y1) {
 }
 
 TEST(WallCuts, AnEmptyRoomStaysAsItIs) {
-  const Scene before = room(), after = cut_under_walls(before);
+  const Scene before = room(), after = cut_under_walls(before).scene;
   EXPECT_EQ(after.polygons.size(), before.polygons.size());
   EXPECT_EQ(after.vertices.size(), before.vertices.size());
 }
@@ -56,18 +56,33 @@ TEST(WallCuts, AFloorIsCutUnderAScreen) {
   Scene scene = room();
   add_polygon(&scene, {{4, 0, 0}, {4, 4, 0}, {4, 4, 2}, {4, 0, 2}});
   EXPECT_TRUE(crosses(scene, 4, 0, 4));
-  const Scene cut = cut_under_walls(scene);
+  const Scene cut = cut_under_walls(scene).scene;
   EXPECT_FALSE(crosses(cut, 4, 0, 4));
   const Floor floor = floor_of(cut);
   EXPECT_EQ(floor.pieces, 2);
   EXPECT_NEAR(floor.area, 32, 0.01);  // but for a gap of 2e-6 diagonals
 }
 
+// The room is closed: light reaches the inner side of each polygon, the front, and both sides of the screen.
+// The two pieces of the floor have from it that their undersides are dark.
+TEST(WallCuts, PiecesAreDarkWhereThePolygonWas) {
+  Scene scene = room();
+  add_polygon(&scene, {{4, 0, 0}, {4, 4, 0}, {4, 4, 2}, {4, 0, 2}});
+  const CutScene cut = cut_under_walls(scene);
+  ASSERT_EQ(cut.dark.size(), 2 * cut.scene.polygons.size());
+  const auto screen = static_cast<uint32_t>(cut.scene.polygons.size()) - 1;
+  for (uint32_t p = 0; p < cut.scene.polygons.size(); ++p) {
+    EXPECT_FALSE(cut.dark[2 * p]) << p;
+    EXPECT_EQ(cut.dark[2 * p + 1], p != screen) << p;
+  }
+  EXPECT_TRUE(cut_under_walls(room()).dark.empty());  // nothing stands on its floor
+}
+
 // A screen that ends at y = 2: the cut goes no farther, so the floor crosses x = 4 beyond and only there.
 TEST(WallCuts, ACutEndsWithItsWall) {
   Scene scene = room();
   add_polygon(&scene, {{4, 0, 0}, {4, 2, 0}, {4, 2, 2}, {4, 0, 2}});
-  const Scene cut = cut_under_walls(scene);
+  const Scene cut = cut_under_walls(scene).scene;
   EXPECT_FALSE(crosses(cut, 4, 0, 1.9));
   EXPECT_TRUE(crosses(cut, 4, 2.1, 4));
   EXPECT_EQ(floor_of(cut).pieces, 3);
@@ -79,7 +94,7 @@ TEST(WallCuts, CutsOfSeveralWalls) {
   Scene scene = room();
   add_polygon(&scene, {{4, 0, 0}, {4, 4, 0}, {4, 4, 2}, {4, 0, 2}});
   add_polygon(&scene, {{4, 2, 0}, {8, 2, 0}, {8, 2, 2}, {4, 2, 2}});
-  const Floor floor = floor_of(cut_under_walls(scene));
+  const Floor floor = floor_of(cut_under_walls(scene).scene);
   EXPECT_EQ(floor.pieces, 3);
   EXPECT_NEAR(floor.area, 32, 0.01);
 }
@@ -88,31 +103,31 @@ TEST(WallCuts, CutsOfSeveralWalls) {
 TEST(WallCuts, FurnitureDoesNotCut) {
   Scene scene = room();
   add_box(&scene, {3, 1, 0}, {4, 2, 1}, false);
-  EXPECT_EQ(floor_of(cut_under_walls(scene)).pieces, 1);
+  EXPECT_EQ(floor_of(cut_under_walls(scene).scene).pieces, 1);
 }
 
 // The diagonal is 9.4 m: a step of 0.1 m is lower than a fiftieth, and so is a post of 0.15 m narrower.
 TEST(WallCuts, LowAndNarrowThingsDoNotCut) {
   Scene low = room();
   add_polygon(&low, {{4, 0, 0}, {4, 4, 0}, {4, 4, 0.1}, {4, 0, 0.1}});
-  EXPECT_EQ(floor_of(cut_under_walls(low)).pieces, 1);
+  EXPECT_EQ(floor_of(cut_under_walls(low).scene).pieces, 1);
   Scene post = room();
   add_polygon(&post, {{4, 2, 0}, {4, 2.15, 0}, {4, 2.15, 2}, {4, 2, 2}});
-  EXPECT_EQ(floor_of(cut_under_walls(post)).pieces, 1);
+  EXPECT_EQ(floor_of(cut_under_walls(post).scene).pieces, 1);
 }
 
 TEST(WallCuts, WhatMovesDoesNotCut) {
   Scene scene = room();
   const uint32_t body = add_body(&scene, {0.5, 0, 0});
   add_polygon(&scene, {{4, 0, 0}, {4, 4, 0}, {4, 4, 2}, {4, 0, 2}}, body);
-  EXPECT_EQ(floor_of(cut_under_walls(scene)).pieces, 1);
+  EXPECT_EQ(floor_of(cut_under_walls(scene).scene).pieces, 1);
 }
 
 // A screen that hangs 0.1 m above the floor lets light pass below it.
 TEST(WallCuts, WhatHangsDoesNotCut) {
   Scene scene = room();
   add_polygon(&scene, {{4, 0, 0.1}, {4, 4, 0.1}, {4, 4, 2}, {4, 0, 2}});
-  EXPECT_EQ(floor_of(cut_under_walls(scene)).pieces, 1);
+  EXPECT_EQ(floor_of(cut_under_walls(scene).scene).pieces, 1);
 }
 
 }  // namespace
