@@ -21,11 +21,11 @@ function room(w, d, h) {
   sheet("0 " d " 0 0 " d " " h " 0 0 " h " 0 0 0")
 }
 
-# A lamp of w x d about (x, y) under a plate, shining down from the height z.
+# A lamp of w x d about (x, y), the bottom of a flat box, shining down from the height z.
 function lamp(x, y, z, w, d,    a, b, c, e) {
   begin_object("lamp")
   material("steel")
-  box(x, y, z + 0.002, w + 0.1, d + 0.1, 0.05, 0, 1)
+  box(x, y, z, w, d, 0.05, 0, 0)
   material("lamp")
   a = x - w / 2; b = x + w / 2; c = y - d / 2; e = y + d / 2
   sheet(a " " c " " z " " a " " e " " z " " b " " e " " z " " b " " c " " z)
