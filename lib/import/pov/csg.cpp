@@ -82,6 +82,7 @@ class Cutter {
     if (left.size() == 1 && is_sliver(whole - doubled_area(left), ring)) return keep(facet, of);
     PovFacet part = facet;
     part.uvs.clear();
+    part.normals.clear();  // those at corners that are new are not known: what is cut is drawn flat
     std::vector<std::vector<Vec3>> rings;
     for (const Ring& piece : left) {
       if (piece.size() < 3 || is_sliver(doubled_area({piece}), piece)) continue;
@@ -168,6 +169,8 @@ PovObject pov_inverse(PovObject object) {
   for (PovFacet& facet : object.facets) {
     std::reverse(facet.corners.begin(), facet.corners.end());
     std::reverse(facet.uvs.begin(), facet.uvs.end());
+    std::reverse(facet.normals.begin(), facet.normals.end());
+    for (Vec3& normal : facet.normals) normal = -normal;
   }
   return object;
 }

@@ -447,6 +447,19 @@ TEST_F(ImportPov, round_objects_are_smooth) {
   EXPECT_LT(worst_normal(cone, [](Vec3 p) { return normalized(Vec3{p.x, 0, p.z}) + Vec3{0, 1, 0}; }), 1e-4);
 }
 
+// A ball's normals point away from its middle; as the wall of a hole they point to it. Facets that are cut
+// have none, since their new corners have no normals, and are not counted.
+TEST_F(ImportPov, what_is_cut_keeps_the_normals_of_whole_facets) {
+  const Scene half =
+      import(kKept + "intersection { sphere { 0, 1 } box { <-2, 0.1, -2>, 2 } pigment { rgb 1 } }");
+  EXPECT_FALSE(half.normals.empty());
+  EXPECT_LT(worst_normal(half, [](Vec3 p) { return p; }), 1e-4);
+  const Scene hole =
+      import(kKept + "difference { box { -2, <2, 0.1, 2> } sphere { 0, 1 } pigment { rgb 1 } }");
+  EXPECT_FALSE(hole.normals.empty());
+  EXPECT_LT(worst_normal(hole, [](Vec3 p) { return -p; }), 1e-4);
+}
+
 TEST_F(ImportPov, meshes_keep_their_normals) {
   const auto tilted = [](Vec3 p) { return Vec3{0.2, 0.1, p.x < 0.5 ? 1.0 : 1.5}; };
   const std::string corners = "<0,0,0>, <0.2,0.1,1>, <0,1,0>, <0.2,0.1,1>, <1,0,0>, <0.2,0.1,1.5>";
