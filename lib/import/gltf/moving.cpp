@@ -5,6 +5,7 @@
 
 #include "import/gltf/sampler.h"
 #include "import/poses/few_keys.h"
+#include "import/poses/pose_distance.h"
 #include "scene/body_pose.h"
 
 namespace strad {
@@ -36,16 +37,6 @@ Quat rotation_of(const GltfTransform& transform) {
   }
   const double s = 2 * std::sqrt(1 + z.z - x.x - y.y);
   return {(x.y - y.x) / s, (z.x + x.z) / s, (z.y + y.z) / s, s / 4};
-}
-
-double distance(const Pose& a, const Pose& b, const Box& box) {
-  double worst = 0;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 corner{i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
-                      i & 4 ? box.upper.z : box.lower.z};
-    worst = std::max(worst, length2(a * corner - b * corner));
-  }
-  return std::sqrt(worst);
 }
 
 class BodyMaker {
@@ -108,12 +99,12 @@ Pose BodyMaker::pose_between(const BodyKey& a, const BodyKey& b, double time) {
 }
 
 double BodyMaker::distance_between(const BodyKey& a, const BodyKey& b) {
-  return distance(pose_between(a, a, a.time), pose_between(b, b, b.time), bounds_);
+  return pose_distance(pose_between(a, a, a.time), pose_between(b, b, b.time), bounds_);
 }
 
 // How far a key is from the straight way between two others.
 double BodyMaker::error_between(const BodyKey& a, const BodyKey& b, const BodyKey& key) {
-  return distance(pose_between(a, b, key.time), pose_between(key, key, key.time), bounds_);
+  return pose_distance(pose_between(a, b, key.time), pose_between(key, key, key.time), bounds_);
 }
 
 // Appends keys between a and b, then b, such that straight ways between them follow a curve.

@@ -7,6 +7,7 @@
 #include "import/poses/few_keys.h"
 #include "import/poses/few_scene_keys.h"
 #include "import/poses/pivot.h"
+#include "import/poses/pose_distance.h"
 #include "scene/body_pose.h"
 
 namespace strad {
@@ -38,18 +39,6 @@ Vec3 imaginary(Quat q) { return {q.x, q.y, q.z}; }
 Quat negated(Quat q) { return {-q.w, -q.x, -q.y, -q.z}; }
 double dot(Quat a, Quat b) { return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z; }
 
-// The distance between where two poses put the points of a box: largest at a corner, since the difference of
-// two rigid motions is affine.
-double distance(const Pose& a, const Pose& b, const Box& box) {
-  double worst = 0;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 corner{i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
-                      i & 4 ? box.upper.z : box.lower.z};
-    worst = std::max(worst, length2(a * corner - b * corner));
-  }
-  return std::sqrt(worst);
-}
-
 // Builds the keys of one body.
 class KeyBuilder {
  public:
@@ -78,7 +67,7 @@ class KeyBuilder {
   bool find_axis();
   BodyKey key_of(size_t frame) const;
   double error_at(const Body& body, size_t frame) const {
-    return distance(pose_in_parent(body, times_[frame]), poses_[frame], moved_.bounds);
+    return pose_distance(pose_in_parent(body, times_[frame]), poses_[frame], moved_.bounds);
   }
   std::vector<BodyKey> linear_keys();
   std::vector<BodyKey> smooth_keys();
@@ -125,7 +114,7 @@ bool KeyBuilder::find_axis() {
     Box about;  // the turn's own error, wherever the body is
     about.add(moved_.bounds.lower - moved_.bounds.centre());
     about.add(moved_.bounds.upper - moved_.bounds.centre());
-    if (!(distance(turned, given, about) <= 1e-2 * moved_.tolerance)) return false;
+    if (!(pose_distance(turned, given, about) <= 1e-2 * moved_.tolerance)) return false;
     angles_.push_back(angle);
     last = angle;
   }

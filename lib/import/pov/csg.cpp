@@ -5,6 +5,7 @@
 #include <map>
 
 #include "import/polygonize.h"
+#include "import/pov/corner_weights.h"
 #include "import/pov/shapes.h"
 #include "import/pov/solids.h"
 
@@ -80,9 +81,6 @@ class Cutter {
     };
     const double whole = doubled_area({ring});
     if (left.size() == 1 && is_sliver(whole - doubled_area(left), ring)) return keep(facet, of);
-    PovFacet part = facet;
-    part.uvs.clear();
-    part.normals.clear();  // those at corners that are new are not known: what is cut is drawn flat
     std::vector<std::vector<Vec3>> rings;
     for (const Ring& piece : left) {
       if (piece.size() < 3 || is_sliver(doubled_area({piece}), piece)) continue;
@@ -92,7 +90,7 @@ class Cutter {
         to.push_back(corner != corners.end() ? of.points[corner->second] : sheet.point(at));
       }
     }
-    if (!rings.empty()) add_rings(rings, normal, part);
+    if (!rings.empty()) add_rings(rings, {outline, normal}, facet, of);
   }
 
  private:
@@ -121,16 +119,53 @@ class Cutter {
     made_->facets.push_back(std::move(whole));
   }
 
-  void add_rings(const std::vector<std::vector<Vec3>>& rings, Vec3 normal, PovFacet part) {
-    const PovObject pieces = pov_oriented_polygon(rings, normal);
+  struct Outline {
+    const std::vector<Vec3>& corners;
+    Vec3 normal;  // unit
+  };
+
+  // What is left of `facet`. Normals and texture coordinates at new corners lie between those that it has.
+  void add_rings(const std::vector<std::vector<Vec3>>& rings, const Outline& outline, const PovFacet& facet,
+                 const PovObject& of) {
+    const PovObject pieces = pov_oriented_polygon(rings, outline.normal);
     for (const PovFacet& piece : pieces.facets) {
-      part.corners.clear();
+      PovFacet part = facet;
+      part.corners.clear(), part.normals.clear(), part.uvs.clear();
       for (const uint32_t corner : piece.corners) {
         const uint32_t index = welder_.index(pieces.points[corner]);
-        if (part.corners.empty() || part.corners.back() != index) part.corners.push_back(index);
+        if (!part.corners.empty() && (part.corners.back() == index)) continue;
+        part.corners.push_back(index);
+        add_between(facet, of, corner_weights_of(facet, outline, pieces.points[corner]), &part);
       }
-      while (part.corners.size() > 1 && part.corners.front() == part.corners.back()) part.corners.pop_back();
-      if (part.corners.size() >= 3) made_->facets.push_back(part);
+      while (part.corners.size() > 1 && part.corners.front() == part.corners.back()) {
+        part.corners.pop_back();
+        if (!part.normals.empty()) part.normals.pop_back();
+        if (!part.uvs.empty()) part.uvs.pop_back();
+      }
+      if (part.corners.size() >= 3) made_->facets.push_back(std::move(part));
+    }
+  }
+
+  static std::vector<double> corner_weights_of(const PovFacet& facet, const Outline& outline, Vec3 point) {
+    if (facet.normals.empty() && facet.uvs.empty()) return {};
+    return corner_weights(outline.corners, outline.normal, point);
+  }
+
+  void add_between(const PovFacet& facet, const PovObject& of, const std::vector<double>& weights,
+                   PovFacet* part) {
+    if (!facet.normals.empty()) {
+      Vec3 normal;
+      for (size_t k = 0; k < weights.size(); ++k) normal += weights[k] * normalized(facet.normals[k]);
+      part->normals.push_back(normal);
+    }
+    if (!facet.uvs.empty()) {
+      Vec2 uv;
+      for (size_t k = 0; k < weights.size(); ++k) {
+        uv.x += weights[k] * of.uvs[facet.uvs[k]].x;
+        uv.y += weights[k] * of.uvs[facet.uvs[k]].y;
+      }
+      part->uvs.push_back(static_cast<uint32_t>(made_->uvs.size()));
+      made_->uvs.push_back(uv);
     }
   }
 

@@ -3,18 +3,14 @@
 
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 
-#include "base/error.h"
 #include "base/rng.h"
 #include "import/gltf/gltf.h"
+#include "import_folder.h"
 #include "scene/trajectory.h"
 
 namespace strad {
 namespace {
-
-namespace fs = std::filesystem;
 
 // A file that is built buffer by buffer: each list of floats is a buffer view and an accessor.
 class Gltf {
@@ -67,42 +63,27 @@ class Gltf {
   int count_ = 0;
 };
 
-class ImportGltf : public testing::Test {
+class ImportGltf : public ImportFolder {
  protected:
-  ImportGltf() {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("import_gltf_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  ~ImportGltf() override { fs::remove_all(folder_); }
-
-  Scene import_text(const std::string& json) {
-    std::ofstream(folder_ / "s.gltf", std::ios::binary) << json;
+  using ImportFolder::refusal;
+  Scene import(const std::string& json) override {
+    write("s.gltf", json);
     report_ = {};
-    return import_gltf((folder_ / "s.gltf").string(), options_, gltf_, &report_);
+    return import_gltf(path("s.gltf"), options_, gltf_, &report_);
+  }
+  void write_data(const Gltf& file) const {
+    write("data.bin", std::string(file.bytes().data(), file.bytes().size()));
   }
   Scene import(const Gltf& file) {
-    std::ofstream(folder_ / "data.bin", std::ios::binary)
-        .write(file.bytes().data(), static_cast<long>(file.bytes().size()));
-    return import_text(file.json());
+    write_data(file);
+    return import(file.json());
   }
   std::string refusal(const Gltf& file) {
-    try {
-      import(file);
-    } catch (const BadInput& error) {
-      std::string text = error.what();
-      const std::string prefix = folder_.string() + "/";
-      for (size_t at = text.find(prefix); at != text.npos; at = text.find(prefix))
-        text.erase(at, prefix.size());
-      return text;
-    }
-    return "";
+    write_data(file);
+    return refusal(file.json());
   }
 
-  fs::path folder_;
-  ImportOptions options_;
   GltfOptions gltf_;
-  ImportReport report_;
 };
 
 float any(uint64_t seed, uint64_t i) { return static_cast<float>(hash_of(seed, i) >> 40) * 0x1p-23f - 1; }
@@ -377,7 +358,7 @@ TEST_F(ImportGltf, BuffersAreCheckedAndStayInTheFolder) {
     const size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     text.replace(at, from.size(), to);
-    EXPECT_THROW(import_text(text), BadInput) << text;
+    EXPECT_THROW(import(text), BadInput) << text;
   };
   refused("\"byteLength\":48", "\"byteLength\":47");
   refused("\"byteLength\":48", "\"byteLength\":99999");
@@ -396,7 +377,7 @@ TEST_F(ImportGltf, BuffersAreCheckedAndStayInTheFolder) {
   refused("\"2.0\"", "\"1.0\"");
   refused("\"material\":0", "\"material\":1");
   for (size_t length = 0; length < good.size(); length += 7)
-    EXPECT_THROW(import_text(good.substr(0, length)), BadInput);
+    EXPECT_THROW(import(good.substr(0, length)), BadInput);
 }
 
 }  // namespace

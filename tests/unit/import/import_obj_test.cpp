@@ -3,59 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 
-#include "base/error.h"
-#include "import/obj/obj.h"
+#include "import_folder.h"
 
 namespace strad {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ImportObj : public testing::Test {
- protected:
-  ImportObj() {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("import_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  ~ImportObj() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-  Scene import(const std::string& text) {
-    write("room.obj", text);
-    report_ = {};
-    return import_obj(path("room.obj"), options_, &report_);
-  }
-  // What the refusal says, without the folder; "" if there is none.
-  std::string refusal(const std::string& text) {
-    try {
-      import(text);
-    } catch (const BadInput& error) {
-      std::string what = error.what();
-      const std::string prefix = folder_.string() + "/";
-      for (size_t at = what.find(prefix); at != what.npos; at = what.find(prefix))
-        what.erase(at, prefix.size());
-      return what;
-    }
-    return "";
-  }
-  // Notes without the folder.
-  std::string note(size_t index) const {
-    const std::vector<std::string> lines = report_.lines();
-    return index < lines.size() ? lines[index].substr(folder_.string().size() + 1) : "";
-  }
-
-  fs::path folder_;
-  ImportOptions options_;
-  ImportReport report_;
-};
+using ImportObj = ImportObjFolder;
 
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\n";
 

@@ -2,40 +2,20 @@
 // values.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
-#include "base/error.h"
-#include "import/pov/pov.h"
+#include "import_folder.h"
+#include "scene_measures.h"
 
 namespace strad {
 namespace {
 
-namespace fs = std::filesystem;
-
-class ImportPovLooks : public testing::Test {
+class ImportPovLooks : public ImportPovFolder {
  protected:
-  ImportPovLooks() {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("looks_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_ / "below");
-  }
-  ~ImportPovLooks() override { fs::remove_all(folder_); }
-  Scene import(const std::string& text) {
-    std::ofstream(folder_ / "a.pov", std::ios::binary) << text;
-    report_ = {};
-    return import_pov((folder_ / "a.pov").string(), {}, &report_);
-  }
+  ImportPovLooks() { std::filesystem::create_directories(folder_ / "below"); }
   // Of a box with these modifiers that reflects all of its pigment.
   Rgb reflectance(const std::string& modifiers) {
     return import("#default { finish { diffuse 1 } }\nbox { 0, 1 " + modifiers + " }")
         .materials[0]
         .reflectance;
-  }
-  bool noted(const std::string& what) const {
-    for (const std::string& line : report_.lines())
-      if (line.find(what) != line.npos) return true;
-    return false;
   }
   // The upper corner of a box made with an expression; z is mirrored.
   Vec3 value(const std::string& before, const std::string& expression) {
@@ -44,14 +24,11 @@ class ImportPovLooks : public testing::Test {
     for (const Vec3 p : scene.vertices) box.add(p);
     return {box.upper.x, box.upper.y, -box.lower.z};
   }
-  fs::path folder_;
-  ImportReport report_;
 };
 
 void expect_near(Rgb a, Rgb b) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 1e-6);
 }
-void expect_near(Vec3 a, Vec3 b) { EXPECT_NEAR(length(a - b), 0, 1e-5); }
 
 TEST_F(ImportPovLooks, patterns_have_their_mean_colour) {
   expect_near(reflectance("pigment { checker rgb <.2, 0, 0>, rgb <.4, .6, 0> }"), {0.3f, 0.3f, 0});

@@ -1,58 +1,19 @@
 // POV-Ray's cut, turned and drawn objects have the volumes and surfaces that geometry gives them.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <map>
+#include <cmath>
 
-#include "base/error.h"
-#include "import/pov/pov.h"
+#include "import_folder.h"
+#include "scene_measures.h"
 
 namespace strad {
 namespace {
 
-namespace fs = std::filesystem;
-
-class ImportPovShapes : public testing::Test {
+// With coordinates kept as they are, and a pigment that names nothing.
+class ImportPovShapes : public ImportPovFolder {
  protected:
-  ImportPovShapes() {
-    path_ = fs::path(testing::TempDir()) /
-            (std::string("shapes_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".pov");
-  }
-  ~ImportPovShapes() override { fs::remove(path_); }
-  // With coordinates kept as they are, and a pigment that names nothing.
-  Scene import(const std::string& text) {
-    std::ofstream(path_, std::ios::binary)
-        << "camera { location <0, 0, 5> look_at 0 right <-1, 0, 0> }\n" + text;
-    report_ = {};
-    return import_pov(path_.string(), options_, &report_);
-  }
-  fs::path path_;
-  ImportOptions options_;
-  ImportReport report_;
+  Scene import(const std::string& text) override { return ImportPovFolder::import(kKept + text); }
 };
-
-double area_of(const Scene& scene) {
-  double area = 0;
-  for (const Polygon& p : scene.polygons) {
-    const auto& v = scene.vertices;
-    const Vec3 a = v[p.corners[0]], b = v[p.corners[1]], c = v[p.corners[2]];
-    area += length(cross(b - a, c - a)) / 2;
-    if (p.corner_count() == 4) area += length(cross(c - a, v[p.corners[3]] - a)) / 2;
-  }
-  return area;
-}
-
-// By the divergence theorem; positive if fronts look outwards.
-double volume_of(const Scene& scene) {
-  double volume = 0;
-  for (const Polygon& p : scene.polygons) {
-    const auto& v = scene.vertices;
-    for (int k = 2; k < p.corner_count(); ++k)
-      volume += dot(v[p.corners[0]], cross(v[p.corners[k - 1]], v[p.corners[k]])) / 6;
-  }
-  return volume;
-}
 
 // The sum of the polygons' areas as vectors, which is 0 for a closed surface, and 0 of it where nothing is
 // missing.

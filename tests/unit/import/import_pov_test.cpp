@@ -3,53 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <functional>
 
-#include "base/error.h"
-#include "import/pov/pov.h"
+#include "import_folder.h"
+#include "scene_measures.h"
 
 namespace strad {
 namespace {
 
-namespace fs = std::filesystem;
-
-class ImportPov : public testing::Test {
+class ImportPov : public ImportPovFolder {
  protected:
-  ImportPov() {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("import_pov_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  ~ImportPov() override { fs::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-  Scene import(const std::string& text) {
-    write("room.pov", text);
-    report_ = {};
-    return import_pov((folder_ / "room.pov").string(), options_, &report_);
-  }
-  std::string without_folder(std::string text) const {
-    const std::string prefix = folder_.string() + "/";
-    for (size_t at = text.find(prefix); at != text.npos; at = text.find(prefix))
-      text.erase(at, prefix.size());
-    return text;
-  }
-  std::string refusal(const std::string& text) {
-    try {
-      import(text);
-    } catch (const BadInput& error) {
-      return without_folder(error.what());
-    }
-    return "";
-  }
-  std::string note(size_t index) const {
-    const std::vector<std::string> lines = report_.lines();
-    return index < lines.size() ? without_folder(lines[index]) : "";
-  }
   // The value of an expression: the upper corner of a box made with it.
   Vec3 evaluated(const std::string& corner, const std::string& before = "") {
     const Scene scene = import(kKept + before + "box { <-1000, -1000, -1000>, " + corner + " }");
@@ -58,45 +20,12 @@ class ImportPov : public testing::Test {
       for (int axis = 0; axis < 3; ++axis) upper[axis] = std::max(upper[axis], v[axis]);
     return upper;
   }
-
-  // A right-handed camera: coordinates stay as they are.
-  const std::string kKept = "camera { location <0, 0, 5> look_at 0 right <-1, 0, 0> }\n";
-  fs::path folder_;
-  ImportOptions options_;
-  ImportReport report_;
 };
-
-double area_of(const Scene& scene) {
-  double area = 0;
-  for (const Polygon& p : scene.polygons) {
-    const auto& v = scene.vertices;
-    const Vec3 a = v[p.corners[0]], b = v[p.corners[1]], c = v[p.corners[2]];
-    area += length(cross(b - a, c - a)) / 2;
-    if (p.corner_count() == 4) area += length(cross(c - a, v[p.corners[3]] - a)) / 2;
-  }
-  return area;
-}
-
-// The volume, by the divergence theorem; positive if all fronts look outwards.
-double volume_of(const Scene& scene) {
-  double volume = 0;
-  for (const Polygon& p : scene.polygons) {
-    const auto& v = scene.vertices;
-    const Vec3 a = v[p.corners[0]], b = v[p.corners[1]], c = v[p.corners[2]];
-    volume += dot(a, cross(b, c)) / 6;
-    if (p.corner_count() == 4) volume += dot(a, cross(c, v[p.corners[3]])) / 6;
-  }
-  return volume;
-}
 
 Vec3 normal_of(const Scene& scene, size_t polygon) {
   const Polygon& p = scene.polygons[polygon];
   const Vec3 a = scene.vertices[p.corners[0]];
   return normalized(cross(scene.vertices[p.corners[1]] - a, scene.vertices[p.corners[2]] - a));
-}
-
-void expect_near(Vec3 found, Vec3 expected, double tolerance = 1e-5) {
-  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(found[axis], expected[axis], tolerance) << "axis " << axis;
 }
 
 TEST_F(ImportPov, evaluates_expressions) {
@@ -420,58 +349,6 @@ TEST_F(ImportPov, names_every_truncation_or_imports_it) {
       EXPECT_NE(std::string(error.what()).find("room.pov"), std::string::npos);
     }
   }
-}
-
-// Distance of a normal from the direction `from`, at each corner of each smooth polygon.
-double worst_normal(const Scene& scene, const std::function<Vec3(Vec3)>& expected) {
-  double worst = 0;
-  for (const Polygon& polygon : scene.polygons)
-    for (int c = 0; polygon.is_smooth() && c < polygon.corner_count(); ++c)
-      worst = std::max(worst, length(scene.normals[polygon.normals[c]] -
-                                     normalized(expected(scene.vertices[polygon.corners[c]]))));
-  return worst;
-}
-
-TEST_F(ImportPov, round_objects_are_smooth) {
-  // An ellipsoid x^2 + (y / 2)^2 + z^2 = 1: its normal at p is along (x, y / 4, z).
-  const Scene egg = import(kKept + "sphere { 0, 1 scale <1, 2, 1> pigment { rgb 1 } }");
-  EXPECT_FALSE(egg.normals.empty());
-  EXPECT_LT(worst_normal(egg, [](Vec3 p) { return Vec3{p.x, p.y / 4, p.z}; }), 1e-4);
-  // A cylinder's lids stay flat, and its sides point away from the axis.
-  const Scene column = import(kKept + "cylinder { 0, 3*y, 1 pigment { rgb 1 } }");
-  EXPECT_LT(worst_normal(column, [](Vec3 p) { return Vec3{p.x, 0, p.z}; }), 1e-4);
-  EXPECT_TRUE(std::any_of(column.polygons.begin(), column.polygons.end(),
-                          [](const Polygon& p) { return !p.is_smooth(); }));
-  // A cone from radius 2 to 1 over a height of 1 has a slope of 45 degrees.
-  const Scene cone = import(kKept + "cone { 0, 2, y, 1 open pigment { rgb 1 } }");
-  EXPECT_LT(worst_normal(cone, [](Vec3 p) { return normalized(Vec3{p.x, 0, p.z}) + Vec3{0, 1, 0}; }), 1e-4);
-}
-
-// A ball's normals point away from its middle; as the wall of a hole they point to it. Facets that are cut
-// have none, since their new corners have no normals, and are not counted.
-TEST_F(ImportPov, what_is_cut_keeps_the_normals_of_whole_facets) {
-  const Scene half =
-      import(kKept + "intersection { sphere { 0, 1 } box { <-2, 0.1, -2>, 2 } pigment { rgb 1 } }");
-  EXPECT_FALSE(half.normals.empty());
-  EXPECT_LT(worst_normal(half, [](Vec3 p) { return p; }), 1e-4);
-  const Scene hole =
-      import(kKept + "difference { box { -2, <2, 0.1, 2> } sphere { 0, 1 } pigment { rgb 1 } }");
-  EXPECT_FALSE(hole.normals.empty());
-  EXPECT_LT(worst_normal(hole, [](Vec3 p) { return -p; }), 1e-4);
-}
-
-TEST_F(ImportPov, meshes_keep_their_normals) {
-  const auto tilted = [](Vec3 p) { return Vec3{0.2, 0.1, p.x < 0.5 ? 1.0 : 1.5}; };
-  const std::string corners = "<0,0,0>, <0.2,0.1,1>, <0,1,0>, <0.2,0.1,1>, <1,0,0>, <0.2,0.1,1.5>";
-  const Scene smooth = import(kKept + "smooth_triangle { " + corners + " pigment { rgb 1 } }");
-  EXPECT_FALSE(smooth.normals.empty());
-  EXPECT_LT(worst_normal(smooth, tilted), 1e-4);
-  const Scene mesh = import(kKept +
-                            "mesh2 { vertex_vectors { 3, <0,0,0>, <0,1,0>, <1,0,0> }"
-                            " normal_vectors { 2, <0.2,0.1,1>, <0.2,0.1,1.5> } face_indices { 1, <0,1,2> }"
-                            " normal_indices { 1, <0,0,1> } pigment { rgb 1 } }");
-  EXPECT_FALSE(mesh.normals.empty());
-  EXPECT_LT(worst_normal(mesh, tilted), 1e-4);
 }
 
 }  // namespace
