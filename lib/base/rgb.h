@@ -22,6 +22,7 @@ inline Rgb& operator+=(Rgb& a, Rgb b) { return a = a + b; }
 
 // Rec. 709 luminance.
 inline float luminance(Rgb a) { return 0.2126f * a.r + 0.7152f * a.g + 0.0722f * a.b; }
+inline float mean_channel(Rgb a) { return (a.r + a.g + a.b) / 3; }
 inline float max_channel(Rgb a) { return std::max(a.r, std::max(a.g, a.b)); }
 inline bool is_black(Rgb a) { return a.r == 0 && a.g == 0 && a.b == 0; }
 inline bool is_finite(Rgb a) { return std::isfinite(a.r) && std::isfinite(a.g) && std::isfinite(a.b); }

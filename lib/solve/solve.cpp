@@ -195,6 +195,7 @@ RefinedLinks links_of(const Workspace& work, const Prepared& p, const SolveOptio
 
 struct LeafLight {
   FunctionBlock radiance;
+  LeafSlopes slopes;
   double mean = 0;  // W / (sr m^2), as the links gave it
 };
 
@@ -220,15 +221,16 @@ LeafLight light_of_leaves(const Prepared& p, const SolveOptions& options, NodeTr
   light.mean = mean_radiance(*tree, light.radiance);
   clock->begin(0.6, "bounces", &stats->bounces);
   input.residual = 1e-2;  // of a correction
-  const Bounces bounces = correct_by_bounces(work, direct_of_leaves, input, options.error, &light.radiance);
+  Bounces bounces = correct_by_bounces(work, direct_of_leaves, input, options.error, &light.radiance);
   stats->bounces.rays = bounces.rays;
+  light.slopes = std::move(bounces.slopes);
   return light;
 }
 
 // Final gather at the vertices of the mesh, which it refines. Frees the radiance before surpluses are made.
 Field gather_surpluses(const SolveOptions& options, const NodeTree& tree, LeafLight light, Prepared* p,
                        SolveStats* stats) {
-  const FinalGather gather(tree, p->tracer, p->grid, p->swept, light.radiance,
+  const FinalGather gather(tree, p->tracer, p->grid, p->swept, light.radiance, light.slopes,
                            {rays_for(options.error), options.error / 5});
   IndirectPhase indirect(p->scene, p->grid, gather,
                          indirect_options(p->diagonal, options.error, light.mean, options.dark, p->tolerance),

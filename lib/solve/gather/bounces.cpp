@@ -70,21 +70,34 @@ void fill_blocked_leaves(const NodeTree& tree, const std::vector<BlockedLeaf>& b
     for (size_t d = 0; d < filled[i].size(); ++d) radiance->set(blocked[i].node, d, filled[i][d]);
 }
 
+// The noise of gathered light when direct light is added to it.
+float noise_of_sum(const GatheredFunction& gathered, const std::vector<Rgb>& direct) {
+  double gathered_sum = 0, direct_sum = 0;
+  for (size_t d = 0; d < direct.size(); ++d) {
+    gathered_sum += mean_channel(gathered.irradiance[d]);
+    direct_sum += mean_channel(direct[d]);
+  }
+  const double all = gathered_sum + direct_sum;
+  return all > 0 ? gathered.noise * static_cast<float>(gathered_sum / all) : 0;
+}
+
 // What the leaves reflect of direct light and of `radiance`, by one gather along rays.
 FunctionBlock reflected_by_rays(const Workspace& work, const DirectOfLeaves& direct,
-                                const FunctionBlock& radiance, double tolerance, uint64_t* rays) {
-  const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, radiance,
+                                const FunctionBlock& radiance, double tolerance, Bounces* bounces) {
+  const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, radiance, bounces->slopes,
                            {work.leaf_rays, tolerance});
   const std::vector<uint32_t>& leaves = radiance.rows();
   FunctionBlock reflected(work.tree.leaf_count(), leaves, radiance.sample_count());
   std::vector<uint64_t> traced(leaves.size(), 0);
   std::vector<std::vector<float>> unblocked(leaves.size());
+  std::vector<float> noise(leaves.size(), 0);
   parallel_for(leaves.size(), 8, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const uint32_t leaf = leaves[i];
       const Rgb brdf = surface_of(work.tree, leaf).brdf;
       GatheredFunction f = gather.over_leaf(leaf, &traced[i]);
       const std::vector<Rgb> from_direct = direct.irradiance(leaf, 0, work.grid.cell_count());
+      noise[i] = noise_of_sum(f, from_direct);
       for (size_t d = 0; d < f.irradiance.size(); ++d) {
         // Means over the leaf become means over what of it is exposed at that time sample.
         const float exposed = std::max(f.unblocked[d], kLeastUnblocked);
@@ -99,23 +112,9 @@ FunctionBlock reflected_by_rays(const Workspace& work, const DirectOfLeaves& dir
   for (size_t i = 0; i < leaves.size(); ++i)
     if (!unblocked[i].empty()) blocked.push_back({leaves[i], std::move(unblocked[i])});
   fill_blocked_leaves(work.tree, blocked, &reflected);
-  *rays += sum_of(traced);
+  bounces->rays += sum_of(traced);
+  bounces->slopes = LeafSlopes(work.tree, reflected, noise);
   return reflected;
-}
-
-// By row: the mean over time of all channels.
-std::vector<double> means_of(const FunctionBlock& radiance) {
-  std::vector<double> means(radiance.rows().size());
-  parallel_for(means.size(), 64, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      for (size_t d = 0; d < radiance.sample_count(); ++d) {
-        const Rgb value = radiance.get(radiance.rows()[i], d);
-        means[i] += value.r + value.g + value.b;
-      }
-      means[i] /= 3 * static_cast<double>(radiance.sample_count());
-    }
-  });
-  return means;
 }
 
 // Adds to a bounce `next` of `radiance` what becomes of their difference along the links.
@@ -136,7 +135,7 @@ double change_of_groups(const NodeTree& tree, const FunctionBlock& before, const
                         double least) {
   constexpr double kShare = 1.0 / 64;  // of all area, what a group grows up to
   const std::vector<Node>& nodes = tree.nodes();
-  const std::vector<double> was = means_of(before), now = means_of(after);
+  const std::vector<double> was = means_over_time(before), now = means_over_time(after);
   double all = 0;
   for (const Node& node : nodes)
     if (node.parent == kNone) all += node.area;
@@ -160,7 +159,7 @@ double change_of_groups(const NodeTree& tree, const FunctionBlock& before, const
 // Rms over area of the change of leaves, each relative to its own radiance, or to `least` if that is more.
 double relative_change(const NodeTree& tree, const FunctionBlock& after, const std::vector<double>& before,
                        double least) {
-  const std::vector<double> now = means_of(after);
+  const std::vector<double> now = means_over_time(after);
   double sum = 0, area = 0;
   for (size_t i = 0; i < now.size(); ++i) {
     const double a = surface_of(tree, after.rows()[i]).area;
@@ -179,10 +178,10 @@ Bounces correct_by_bounces(const Workspace& work, const DirectOfLeaves& direct, 
   const double least = 1e-4 * mean_radiance(work.tree, *radiance);
   bool along_links = true;
   for (double last = 1; bounces.rounds < kMostRounds; last = bounces.change) {
-    FunctionBlock next = reflected_by_rays(work, direct, *radiance, error / 2, &bounces.rays);
+    FunctionBlock next = reflected_by_rays(work, direct, *radiance, error / 2, &bounces);
     ++bounces.rounds;
     if (along_links) {
-      const std::vector<double> before = means_of(next);
+      const std::vector<double> before = means_over_time(next);
       add_residual(work, *radiance, input, &next);
       bounces.change = relative_change(work.tree, next, before, least);
     } else {

@@ -3,12 +3,14 @@
 
 #include <cstdint>
 
+#include "solve/gather/leaf_slopes.h"
 #include "solve/links/direct_of_leaves.h"
 #include "solve/links/leaf_radiance.h"
 
 namespace strad {
 
 struct Bounces {
+  LeafSlopes slopes;  // of the radiance
   uint64_t rays = 0;
   int rounds = 0;
   double change = 0;  // of the last round: rms over area, each leaf relative to its own radiance

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "solve/links/leaves.h"
 
 namespace strad {
 namespace {
@@ -20,9 +23,15 @@ constexpr size_t kSums = 4;
 }  // namespace
 
 FinalGather::FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid,
-                         const SweptBounds& swept, const FunctionBlock& radiance,
+                         const SweptBounds& swept, const FunctionBlock& radiance, LeafSlopes slopes,
                          const GatherAccuracy& accuracy)
-    : space_(tree, tracer, grid, swept), radiance_(radiance), accuracy_(accuracy) {}
+    : space_(tree, tracer, grid, swept, std::move(slopes)),
+      radiance_(radiance),
+      accuracy_(accuracy),
+      means_(tree.leaf_count(), 0.0f) {
+  const std::vector<double> means = means_over_time(radiance);
+  for (size_t i = 0; i < means.size(); ++i) means_[radiance.rows()[i]] = static_cast<float>(means[i]);
+}
 
 // Adds the leaves with their counts, blended over time, times `share`.
 void FinalGather::add(const LeafCounts& counts, const LookBlends& blends, float share,
@@ -47,15 +56,16 @@ bool FinalGather::differs(const RayBundle& bundle, const std::vector<float>& sum
   const uint32_t cell = space_.grid.spans[middle.span].first_cell + middle.cell;
   const size_t sample = size_t{cell} * static_cast<size_t>(space_.grid.order),
                samples = space_.grid.sample_count();
-  const auto radiance = [&](uint32_t leaf) {
-    return leaf == kOpenView || leaf == kUnlit ? Rgb{} : radiance_.get(leaf, sample);
+  const auto radiance = [&](const Seen& seen) {
+    return seen.leaf == kOpenView || seen.leaf == kUnlit ? Rgb{}
+                                                         : seen.weight * radiance_.get(seen.leaf, sample);
   };
   Rgb all, difference, squares;
-  for (size_t r = 0; r < middle.leaves.size(); ++r) {
-    const Rgb own = radiance(middle.leaves[r]);
+  for (size_t r = 0; r < middle.seen.size(); ++r) {
+    const Rgb own = radiance(middle.seen[r]);
     all += own;
-    if (middle.leaves[r] == before.leaves[r] && middle.leaves[r] == after.leaves[r]) continue;
-    const Rgb d = own - 0.5f * (radiance(before.leaves[r]) + radiance(after.leaves[r]));
+    if (middle.seen[r].leaf == before.seen[r].leaf && middle.seen[r].leaf == after.seen[r].leaf) continue;
+    const Rgb d = own - 0.5f * (radiance(before.seen[r]) + radiance(after.seen[r]));
     difference += d;
     squares += d * d;
   }
@@ -84,19 +94,37 @@ std::vector<Look> FinalGather::looks_of(const RayBundle& bundle, const std::vect
   return looks_over(space_.grid, looker);
 }
 
+// The standard error of the mean of what the rays bring, by the mean over time of what they see at the start.
+float FinalGather::noise_of(const RayBundle& bundle, const std::vector<Look>& looks) const {
+  double sum = 0, squares = 0;
+  const auto add = [&](const std::vector<Seen>& all) {
+    for (const Seen& seen : all) {
+      if (seen.leaf == kOpenView || seen.leaf == kUnlit) continue;
+      const double brought = double{seen.weight} * means_[seen.leaf];
+      sum += brought, squares += brought * brought;
+    }
+  };
+  add(bundle.always());
+  if (!looks.empty()) add(looks[0].seen);
+  if (!(sum > 0)) return 0;
+  const double variance = squares / (sum * sum) - 1.0 / static_cast<double>(bundle.ray_count());
+  return static_cast<float>(std::sqrt(std::max(0.0, variance)));
+}
+
 GatheredFunction FinalGather::gather(const Receiver& receiver, uint64_t* rays) const {
   const RayBundle bundle(space_, receiver, rays);
   const size_t samples = space_.grid.sample_count();
   const float share = 1.0f / static_cast<float>(bundle.ray_count());
   std::vector<float> sums(kSums * samples);
   LeafCounts always(1);
-  for (const uint32_t leaf : bundle.always()) always.add(leaf, 0);
+  for (const Seen& seen : bundle.always()) always.add(seen.leaf, 0, seen.weight);
   add(always, LookBlends(space_.grid), share, &sums);
+  std::vector<Look> looks;
   if (bundle.ray_count() > bundle.always().size()) {
-    const std::vector<Look> looks = looks_of(bundle, sums);
+    looks = looks_of(bundle, sums);
     LeafCounts seen(looks.size());
     for (size_t i = 0; i < looks.size(); ++i)
-      for (const uint32_t leaf : looks[i].leaves) seen.add(leaf, i);
+      for (const Seen& s : looks[i].seen) seen.add(s.leaf, i, s.weight);
     add(seen, LookBlends(space_.grid, looks), share, &sums);
   }
   GatheredFunction f{std::vector<Rgb>(samples), std::vector<float>(samples)};
@@ -104,6 +132,7 @@ GatheredFunction FinalGather::gather(const Receiver& receiver, uint64_t* rays) c
     f.irradiance[i] = static_cast<float>(kPi) * Rgb{sums[i], sums[samples + i], sums[2 * samples + i]};
     f.unblocked[i] = 1 - sums[3 * samples + i];
   }
+  f.noise = noise_of(bundle, looks);
   return f;
 }
 

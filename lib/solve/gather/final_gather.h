@@ -31,14 +31,15 @@ template <typename Values>
 struct Gathered {
   Values irradiance;             // W / m^2, scaled up to what a free hemisphere would get
   std::vector<float> unblocked;  // share of the view not blocked by unlit surfaces; empty: all of it
+  float noise = 0;               // standard error of the mean over time, relative
 };
 using GatheredFunction = Gathered<std::vector<Rgb>>;
 
 class FinalGather {
  public:
-  // `radiance`: of the leaves, without emission (see NodeTree::leaf_at). Keeps references.
+  // `radiance`: of the leaves, without emission (see NodeTree::leaf_at). `slopes`: its. Keeps references.
   FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
-              const FunctionBlock& radiance, const GatherAccuracy& accuracy);
+              const FunctionBlock& radiance, LeafSlopes slopes, const GatherAccuracy& accuracy);
 
   // At a vertex, or over what it stands for: see receiver_of_vertex.
   GatheredFunction at_vertex(uint32_t vertex, uint64_t* rays) const;
@@ -50,11 +51,13 @@ class FinalGather {
   std::vector<Look> looks_of(const RayBundle& bundle, const std::vector<float>& sums) const;
   bool differs(const RayBundle& bundle, const std::vector<float>& sums, const Look& before,
                const Look& middle, const Look& after) const;
+  float noise_of(const RayBundle& bundle, const std::vector<Look>& looks) const;
   void add(const LeafCounts& counts, const LookBlends& blends, float share, std::vector<float>* sums) const;
 
   const GatherSpace space_;
   const FunctionBlock& radiance_;
   const GatherAccuracy accuracy_;
+  std::vector<float> means_;  // [leaf], over time
 };
 
 }  // namespace strad

@@ -7,11 +7,12 @@
 
 namespace strad {
 
+// Each ray counts by its weight (see Seen).
 class LeafCounts {
  public:
   explicit LeafCounts(size_t looks) : looks_(looks), table_(256, kFree) {}
 
-  void add(uint32_t leaf, size_t look) { counts_[row_of(leaf) * looks_ + look] += 1; }
+  void add(uint32_t leaf, size_t look, float weight) { counts_[row_of(leaf) * looks_ + look] += weight; }
 
   // In the order in which they were seen first.
   const std::vector<uint32_t>& leaves() const { return leaves_; }

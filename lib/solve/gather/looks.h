@@ -13,15 +13,22 @@
 
 namespace strad {
 
+// What a ray has met, and its radiance there relative to the mean of the leaf.
+struct Seen {
+  uint32_t leaf;
+  float weight;
+  bool operator==(const Seen&) const = default;
+};
+
 // What rays met at an end of a cell.
 struct Look {
   uint32_t span = 0;
-  uint32_t cell = 0;             // it begins then, or ends: cells of the span are numbered from 0 to 2^n
-  std::vector<uint32_t> leaves;  // [ray]
+  uint32_t cell = 0;       // it begins then, or ends: cells of the span are numbered from 0 to 2^n
+  std::vector<Seen> seen;  // [ray]
 };
 
 struct Looker {
-  std::function<std::vector<uint32_t>(uint32_t span, uint32_t cell)> see;
+  std::function<std::vector<Seen>(uint32_t span, uint32_t cell)> see;
   // Does the look in the middle differ from the blend of the others?
   std::function<bool(const Look& before, const Look& middle, const Look& after)> differs;
   // May something happen between two looks that neither of them shows? The cells are those of the grid.

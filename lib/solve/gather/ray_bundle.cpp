@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strad {
 
 GatherSpace::GatherSpace(const NodeTree& node_tree, const Tracer& ray_tracer, const TimeGrid& time_grid,
-                         const SweptBounds& swept_bounds)
-    : tree(node_tree), tracer(ray_tracer), grid(time_grid), swept(swept_bounds) {
+                         const SweptBounds& swept_bounds, LeafSlopes leaf_slopes)
+    : tree(node_tree),
+      tracer(ray_tracer),
+      grid(time_grid),
+      swept(swept_bounds),
+      slopes(std::move(leaf_slopes)) {
   for (uint32_t b = 0; b < tree.scene().bodies.size(); ++b) {
     moving_mask.push_back(swept.moves(b));
     still_mask.push_back(!moving_mask.back());
@@ -18,6 +23,14 @@ uint32_t GatherSpace::leaf_of(const SurfaceHit& hit) const {
   if (hit.polygon == kNone) return kOpenView;
   const uint32_t leaf = tree.leaf_at(hit.polygon, hit.front ? 0 : 1, hit.uv);
   return leaf == kNone ? kUnlit : leaf;
+}
+
+Seen GatherSpace::seen_at(const SurfaceHit& hit) const {
+  if (hit.polygon == kNone) return {kOpenView, 1};
+  Vec2 uv = hit.uv;
+  const uint32_t leaf = tree.leaf_at(hit.polygon, hit.front ? 0 : 1, &uv);
+  if (leaf == kNone) return {kUnlit, 1};
+  return {leaf, slopes.factor(leaf, uv)};
 }
 
 RayBundle::RayBundle(const GatherSpace& space, const Receiver& receiver, uint64_t* rays)
@@ -32,7 +45,7 @@ RayBundle::RayBundle(const GatherSpace& space, const Receiver& receiver, uint64_
   if (!moves_)
     trace_still(rest_rays);
   else
-    for (const RestRay& ray : rest_rays) watched_.push_back({ray.from, ray.towards, 1e30, kOpenView});
+    for (const RestRay& ray : rest_rays) watched_.push_back({ray.from, ray.towards, 1e30, {kOpenView, 1}});
 }
 
 void RayBundle::trace_still(const std::vector<RestRay>& rest_rays) {
@@ -42,13 +55,13 @@ void RayBundle::trace_still(const std::vector<RestRay>& rest_rays) {
   for (const RestRay& ray : rest_rays) {
     const Vec3 from = pose * ray.from, towards = rotate(pose, ray.towards);
     const SurfaceHit behind = space_.tracer.closest_of(poses, space_.still_mask, from, towards, 1e30);
-    const uint32_t leaf = space_.leaf_of(behind);
+    const Seen seen = space_.seen_at(behind);
     const double reach = behind.polygon == kNone ? 1e30 : behind.distance;
     if (!space_.swept.may_meet(from, towards, reach)) {
-      always_.push_back(leaf);
+      always_.push_back(seen);
       continue;
     }
-    watched_.push_back({from, towards, reach, leaf});
+    watched_.push_back({from, towards, reach, seen});
     for (uint32_t c = 0; c < cells_; ++c) {
       const bool meets = space_.swept.may_meet_in(c, from, towards, reach);
       meets_.push_back(meets);
@@ -58,27 +71,27 @@ void RayBundle::trace_still(const std::vector<RestRay>& rest_rays) {
   rays_ += rest_rays.size();
 }
 
-std::vector<uint32_t> RayBundle::see(uint32_t span, uint32_t cell) const {
+std::vector<Seen> RayBundle::see(uint32_t span, uint32_t cell) const {
   const uint32_t first = space_.grid.spans[span].first_cell, near = cell == 0 ? first : first + cell - 1;
   const std::vector<Pose>& poses =
       cell == 0 ? space_.swept.cell_begin_poses(near) : space_.swept.cell_end_poses(near);
-  std::vector<uint32_t> leaves(watched_.size());
+  std::vector<Seen> seen(watched_.size());
   for (size_t i = 0; i < watched_.size(); ++i) {
     const Watched& ray = watched_[i];
     if (moves_) {
       ++rays_;
-      leaves[i] = space_.leaf_of(
+      seen[i] = space_.seen_at(
           space_.tracer.closest(poses, poses[body_] * ray.from, rotate(poses[body_], ray.towards)));
       continue;
     }
-    leaves[i] = ray.behind;
+    seen[i] = ray.behind;
     if (!may_meet(i, near)) continue;
     ++rays_;
     const SurfaceHit hit =
         space_.tracer.closest_of(poses, space_.moving_mask, ray.from, ray.towards, ray.reach);
-    if (hit.polygon != kNone) leaves[i] = space_.leaf_of(hit);
+    if (hit.polygon != kNone) seen[i] = space_.seen_at(hit);
   }
-  return leaves;
+  return seen;
 }
 
 uint32_t RayBundle::surprise(uint32_t first_cell, uint32_t end_cell) const {

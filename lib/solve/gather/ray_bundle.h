@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "light/tracer.h"
+#include "solve/gather/leaf_slopes.h"
+#include "solve/gather/looks.h"
 #include "solve/gather/receiver.h"
 #include "solve/prepare/swept.h"
 #include "time/time_grid.h"
@@ -20,13 +22,15 @@ constexpr uint32_t kUnlit = 0xffffffffu;     // in place of a leaf: a surface th
 // What rays are traced in. It must outlive what keeps it.
 struct GatherSpace {
   GatherSpace(const NodeTree& node_tree, const Tracer& ray_tracer, const TimeGrid& time_grid,
-              const SweptBounds& swept_bounds);
+              const SweptBounds& swept_bounds, LeafSlopes leaf_slopes = {});
   uint32_t leaf_of(const SurfaceHit& hit) const;
+  Seen seen_at(const SurfaceHit& hit) const;
 
   const NodeTree& tree;
   const Tracer& tracer;
   const TimeGrid& grid;
   const SweptBounds& swept;
+  LeafSlopes slopes;
   std::vector<bool> still_mask, moving_mask;  // [body]
 };
 
@@ -37,9 +41,9 @@ class RayBundle {
 
   size_t ray_count() const { return always_.size() + watched_.size(); }
   // The leaves of rays that never meet anything that moves.
-  const std::vector<uint32_t>& always() const { return always_; }
+  const std::vector<Seen>& always() const { return always_; }
   // The leaves of the other rays, in order, at an end of a cell (see Look).
-  std::vector<uint32_t> see(uint32_t span, uint32_t cell) const;
+  std::vector<Seen> see(uint32_t span, uint32_t cell) const;
   // By how many rays at most what they may meet of moving bodies in a cell differs from the blend of the
   // first and the last of these cells. 0 for a receiver in motion, of which nothing is known.
   uint32_t surprise(uint32_t first_cell, uint32_t end_cell) const;
@@ -48,7 +52,7 @@ class RayBundle {
   struct Watched {
     Vec3 from, towards;  // world if the receiver rests, else rest
     double reach;
-    uint32_t behind;  // leaf of what rests
+    Seen behind;  // leaf of what rests
   };
   void trace_still(const std::vector<RestRay>& rest_rays);
   bool may_meet(size_t watched, uint32_t cell) const { return meets_[watched * cells_ + cell]; }
@@ -57,7 +61,7 @@ class RayBundle {
   uint32_t body_;
   bool moves_;
   size_t cells_;
-  std::vector<uint32_t> always_;
+  std::vector<Seen> always_;
   std::vector<Watched> watched_;
   std::vector<bool> meets_;       // [watched * cells + cell], of a receiver at rest
   std::vector<uint32_t> active_;  // [cell]: watched rays that may meet something that moves

@@ -1,5 +1,7 @@
 #include "solve/links/leaves.h"
 
+#include "base/parallel.h"
+
 namespace strad {
 
 LeafSurface surface_of(const NodeTree& tree, uint32_t leaf) {
@@ -37,17 +39,25 @@ double total_of(const NodeTree& tree, const FunctionBlock& radiance) {
   return total;
 }
 
-double mean_radiance(const NodeTree& tree, const FunctionBlock& radiance) {
-  double sum = 0, area = 0;
-  for (const uint32_t leaf : radiance.rows()) {
-    double of_leaf = 0;
-    for (size_t t = 0; t < radiance.sample_count(); ++t) {
-      const Rgb l = radiance.get(leaf, t);
-      of_leaf += (l.r + l.g + l.b) / 3;
+std::vector<double> means_over_time(const FunctionBlock& radiance) {
+  std::vector<double> means(radiance.rows().size());
+  parallel_for(means.size(), 64, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      for (size_t t = 0; t < radiance.sample_count(); ++t)
+        means[i] += mean_channel(radiance.get(radiance.rows()[i], t));
+      means[i] /= static_cast<double>(radiance.sample_count());
     }
-    if (!(of_leaf > 0)) continue;
-    const double a = surface_of(tree, leaf).area;
-    sum += a * of_leaf / static_cast<double>(radiance.sample_count());
+  });
+  return means;
+}
+
+double mean_radiance(const NodeTree& tree, const FunctionBlock& radiance) {
+  const std::vector<double> means = means_over_time(radiance);
+  double sum = 0, area = 0;
+  for (size_t i = 0; i < means.size(); ++i) {
+    if (!(means[i] > 0)) continue;
+    const double a = surface_of(tree, radiance.rows()[i]).area;
+    sum += a * means[i];
     area += a;
   }
   return area > 0 ? sum / area : 0;

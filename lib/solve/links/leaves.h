@@ -36,6 +36,9 @@ std::vector<uint32_t> leaves_of(const NodeTree& tree);
 // Radiance times area, added up over leaves, time samples and channels.
 double total_of(const NodeTree& tree, const FunctionBlock& radiance);
 
+// By row of the radiance of leaves: the mean over time and channels, W / (sr m^2).
+std::vector<double> means_over_time(const FunctionBlock& radiance);
+
 // Mean radiance over area and time of the leaves, W / (sr m^2).
 double mean_radiance(const NodeTree& tree, const FunctionBlock& radiance);
 

@@ -190,7 +190,7 @@ void NodeTree::split_cluster(uint32_t n) {
   nodes_[n].child_count = static_cast<uint32_t>(nodes_.size()) - first_child;
 }
 
-uint32_t NodeTree::leaf_at(uint32_t polygon, uint32_t side, Vec2 uv) const {
+uint32_t NodeTree::leaf_at(uint32_t polygon, uint32_t side, Vec2* uv) const {
   const uint32_t face = builder_.mesh().face_of_side[2 * polygon + side];
   if (face == kNone) return kNone;
   uint32_t node = node_of_face_[face];
@@ -198,7 +198,7 @@ uint32_t NodeTree::leaf_at(uint32_t polygon, uint32_t side, Vec2 uv) const {
   if (nodes_[node].is_leaf()) return node;
   const bool quad = scene_.polygons[polygon].corner_count() == 4;
   while (!nodes_[node].is_leaf()) {
-    const uint32_t child = quad ? quad_child(&uv) : triangle_child(&uv);
+    const uint32_t child = quad ? quad_child(uv) : triangle_child(uv);
     node = nodes_[node].first_child + child;
   }
   return node;

@@ -70,7 +70,9 @@ class NodeTree {
   // a patch, or nodes().size() + the face.
   size_t leaf_count() const { return nodes_.size() + node_of_face_.size(); }
   // The leaf at a place (see parametric_of()) of a side of a polygon; kNone where that side has no face.
-  uint32_t leaf_at(uint32_t polygon, uint32_t side, Vec2 uv) const;
+  uint32_t leaf_at(uint32_t polygon, uint32_t side, Vec2 uv) const { return leaf_at(polygon, side, &uv); }
+  // Turns `*uv` into the parametric coordinates of the leaf.
+  uint32_t leaf_at(uint32_t polygon, uint32_t side, Vec2* uv) const;
   // The leaf cluster or the root patch of a face.
   uint32_t node_of_face(uint32_t face) const { return node_of_face_[face]; }
 

@@ -8,8 +8,6 @@
 namespace strad {
 namespace {
 
-double mean_channel(Rgb a) { return (static_cast<double>(a.r) + a.g + a.b) / 3; }
-
 // Integral of the falloff (a smoothstep of the cosine) over all directions, sr.
 double beam_solid_angle(const Spot& spot) {
   const double low = std::cos(spot.outer), high = std::cos(spot.inner);

@@ -43,7 +43,7 @@ struct SpotlitRoom {
 // gather add up to it. With 1024 rays a leaf, whose origins and directions are not in step, to 0.5 %.
 TEST(FinalGather, WhatIsSentOutArrives) {
   const SpotlitRoom lit;
-  const FinalGather gather(lit.work.tree, lit.work.tracer, lit.work.grid, lit.work.swept, lit.radiance,
+  const FinalGather gather(lit.work.tree, lit.work.tracer, lit.work.grid, lit.work.swept, lit.radiance, {},
                            {1024});
   double sent = 0, arrived = 0;
   uint64_t rays = 0;
@@ -60,7 +60,8 @@ TEST(FinalGather, UniformRadianceGivesPi) {
   SpotlitRoom lit;
   for (const uint32_t leaf : lit.leaves)
     for (size_t d = 0; d < lit.radiance.sample_count(); ++d) lit.radiance.set(leaf, d, {1, 1, 1});
-  const FinalGather gather(lit.work.tree, lit.work.tracer, lit.work.grid, lit.work.swept, lit.radiance, {64});
+  const FinalGather gather(lit.work.tree, lit.work.tracer, lit.work.grid, lit.work.swept, lit.radiance, {},
+                           {64});
   uint64_t rays = 0;
   for (const uint32_t leaf : lit.leaves)
     EXPECT_NEAR(gather.over_leaf(leaf, &rays).irradiance[5].r, kPi, 1e-4) << leaf;
@@ -82,7 +83,7 @@ TEST(FinalGather, CornersOfSmallFacesMayLieInsideOfOthers) {
   FunctionBlock radiance(bench.nodes->leaf_count(), leaves_of(*bench.nodes), bench.grid.sample_count());
   for (const uint32_t leaf : radiance.rows())
     for (size_t d = 0; d < radiance.sample_count(); ++d) radiance.set(leaf, d, {1, 1, 1});
-  const FinalGather gather(*bench.nodes, bench.tracer, bench.grid, bench.swept, radiance, {256});
+  const FinalGather gather(*bench.nodes, bench.tracer, bench.grid, bench.swept, radiance, {}, {256});
   uint64_t rays = 0;
   int sides = 0;
   for (uint32_t f = 0; f < builder.undivided_faces(); ++f) {

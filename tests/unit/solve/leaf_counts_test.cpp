@@ -13,8 +13,8 @@ TEST(LeafCounts, AreThoseOfEachLeafAndLook) {
   constexpr uint32_t kLeaves = 1000;
   for (int round = 0; round < 7; ++round)
     for (uint32_t leaf = 0; leaf < kLeaves; ++leaf)
-      if (round < static_cast<int>(leaf % 7)) counts.add(5000 - leaf, 1);
-  for (uint32_t leaf = 0; leaf < kLeaves; ++leaf) counts.add(5000 - leaf, 2);
+      if (round < static_cast<int>(leaf % 7)) counts.add(5000 - leaf, 1, 1);
+  for (uint32_t leaf = 0; leaf < kLeaves; ++leaf) counts.add(5000 - leaf, 2, 1);
   ASSERT_EQ(counts.leaves().size(), kLeaves);
   for (size_t row = 0; row < kLeaves; ++row) {
     const uint32_t leaf = 5000 - counts.leaves()[row];

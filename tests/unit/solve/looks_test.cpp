@@ -12,9 +12,9 @@ namespace {
 // One ray over 10 s in 32 cells. Before `change`, in cells, it sees leaf 1, from then on leaf 2.
 Looker looker_at_step(uint32_t change) {
   Looker looker;
-  looker.see = [=](uint32_t, uint32_t cell) { return std::vector<uint32_t>{cell < change ? 1u : 2u}; };
+  looker.see = [=](uint32_t, uint32_t cell) { return std::vector<Seen>{{cell < change ? 1u : 2u, 1.0f}}; };
   looker.differs = [](const Look& a, const Look& b, const Look& c) {
-    return a.leaves != b.leaves || b.leaves != c.leaves;
+    return a.seen != b.seen || b.seen != c.seen;
   };
   looker.may_happen = [](uint32_t, uint32_t) { return false; };
   return looker;
