@@ -196,6 +196,7 @@ RefinedLinks links_of(const Workspace& work, const Prepared& p, const SolveOptio
 struct LeafLight {
   FunctionBlock radiance;
   LeafSlopes slopes;
+  DirectionGuide guide;
   double mean = 0;  // W / (sr m^2), as the links gave it
 };
 
@@ -224,13 +225,14 @@ LeafLight light_of_leaves(const Prepared& p, const SolveOptions& options, NodeTr
   Bounces bounces = correct_by_bounces(work, direct_of_leaves, input, options.error, &light.radiance);
   stats->bounces.rays = bounces.rays;
   light.slopes = std::move(bounces.slopes);
+  light.guide = std::move(bounces.guide);
   return light;
 }
 
 // Final gather at the vertices of the mesh, which it refines. Frees the radiance before surpluses are made.
 Field gather_surpluses(const SolveOptions& options, const NodeTree& tree, LeafLight light, Prepared* p,
                        SolveStats* stats) {
-  const FinalGather gather(tree, p->tracer, p->grid, p->swept, light.radiance, light.slopes,
+  const FinalGather gather(tree, p->tracer, p->grid, p->swept, light.radiance, light.slopes, light.guide,
                            {rays_for(options.error), options.error / 5});
   IndirectPhase indirect(p->scene, p->grid, gather,
                          indirect_options(p->diagonal, options.error, light.mean, options.dark, p->tolerance),

@@ -11,6 +11,7 @@ namespace strad {
 namespace {
 
 constexpr int kMostRounds = 6;
+constexpr int kLearningRounds = 2;    // after which rays go the same ways in every round
 constexpr double kContraction = 0.2;  // the least that a round is expected to leave of an error
 constexpr float kLeastShare = 0.67f;  // of radiance by rays that a correction along links may leave
 constexpr float kTrusted = 0.4f;      // of the view of a leaf unblocked: from here on its own rays are enough
@@ -85,17 +86,19 @@ float noise_of_sum(const GatheredFunction& gathered, const std::vector<Rgb>& dir
 FunctionBlock reflected_by_rays(const Workspace& work, const DirectOfLeaves& direct,
                                 const FunctionBlock& radiance, double tolerance, Bounces* bounces) {
   const FinalGather gather(work.tree, work.tracer, work.grid, work.swept, radiance, bounces->slopes,
-                           {work.leaf_rays, tolerance});
+                           bounces->guide, {work.leaf_rays, tolerance});
   const std::vector<uint32_t>& leaves = radiance.rows();
   FunctionBlock reflected(work.tree.leaf_count(), leaves, radiance.sample_count());
   std::vector<uint64_t> traced(leaves.size(), 0);
   std::vector<std::vector<float>> unblocked(leaves.size());
   std::vector<float> noise(leaves.size(), 0);
+  const bool learns = bounces->rounds < kLearningRounds;
+  std::vector<DirectionCounts> counts(learns ? work.tree.nodes().size() : 0);
   parallel_for(leaves.size(), 8, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const uint32_t leaf = leaves[i];
       const Rgb brdf = surface_of(work.tree, leaf).brdf;
-      GatheredFunction f = gather.over_leaf(leaf, &traced[i]);
+      GatheredFunction f = gather.over_leaf(leaf, &traced[i], leaf < counts.size() ? &counts[leaf] : nullptr);
       const std::vector<Rgb> from_direct = direct.irradiance(leaf, 0, work.grid.cell_count());
       noise[i] = noise_of_sum(f, from_direct);
       for (size_t d = 0; d < f.irradiance.size(); ++d) {
@@ -113,6 +116,7 @@ FunctionBlock reflected_by_rays(const Workspace& work, const DirectOfLeaves& dir
     if (!unblocked[i].empty()) blocked.push_back({leaves[i], std::move(unblocked[i])});
   fill_blocked_leaves(work.tree, blocked, &reflected);
   bounces->rays += sum_of(traced);
+  if (learns) bounces->guide = DirectionGuide(work.tree, std::move(counts));
   bounces->slopes = LeafSlopes(work.tree, reflected, noise);
   return reflected;
 }

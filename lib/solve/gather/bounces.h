@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "solve/gather/direction_guide.h"
 #include "solve/gather/leaf_slopes.h"
 #include "solve/links/direct_of_leaves.h"
 #include "solve/links/leaf_radiance.h"
@@ -10,6 +11,7 @@
 namespace strad {
 
 struct Bounces {
+  DirectionGuide guide;
   LeafSlopes slopes;  // of the radiance
   uint64_t rays = 0;
   int rounds = 0;

@@ -24,8 +24,8 @@ constexpr size_t kSums = 4;
 
 FinalGather::FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid,
                          const SweptBounds& swept, const FunctionBlock& radiance, LeafSlopes slopes,
-                         const GatherAccuracy& accuracy)
-    : space_(tree, tracer, grid, swept, std::move(slopes)),
+                         DirectionGuide guide, const GatherAccuracy& accuracy)
+    : space_(tree, tracer, grid, swept, std::move(slopes), std::move(guide)),
       radiance_(radiance),
       accuracy_(accuracy),
       means_(tree.leaf_count(), 0.0f) {
@@ -111,7 +111,8 @@ float FinalGather::noise_of(const RayBundle& bundle, const std::vector<Look>& lo
   return static_cast<float>(std::sqrt(std::max(0.0, variance)));
 }
 
-GatheredFunction FinalGather::gather(const Receiver& receiver, uint64_t* rays) const {
+GatheredFunction FinalGather::gather(const Receiver& receiver, uint64_t* rays,
+                                     DirectionCounts* counts) const {
   const RayBundle bundle(space_, receiver, rays);
   const size_t samples = space_.grid.sample_count();
   const float share = 1.0f / static_cast<float>(bundle.ray_count());
@@ -133,11 +134,12 @@ GatheredFunction FinalGather::gather(const Receiver& receiver, uint64_t* rays) c
     f.unblocked[i] = 1 - sums[3 * samples + i];
   }
   f.noise = noise_of(bundle, looks);
+  if (counts) bundle.count(means_, looks.empty() ? std::vector<Seen>{} : looks[0].seen, counts);
   return f;
 }
 
 GatheredFunction FinalGather::at_vertex(uint32_t vertex, uint64_t* rays) const {
-  GatheredFunction f = gather(receiver_of_vertex(space_.tree, vertex, accuracy_.rays), rays);
+  GatheredFunction f = gather(receiver_of_vertex(space_.tree, vertex, accuracy_.rays), rays, nullptr);
   // A point with most of its view blocked lies inside something. Its value will be replaced by its
   // neighbours'.
   for (size_t i = 0; i < f.irradiance.size(); ++i)
@@ -146,8 +148,8 @@ GatheredFunction FinalGather::at_vertex(uint32_t vertex, uint64_t* rays) const {
   return f;
 }
 
-GatheredFunction FinalGather::over_leaf(uint32_t leaf, uint64_t* rays) const {
-  return gather(receiver_of_leaf(space_.tree, leaf, accuracy_.rays), rays);
+GatheredFunction FinalGather::over_leaf(uint32_t leaf, uint64_t* rays, DirectionCounts* counts) const {
+  return gather(receiver_of_leaf(space_.tree, leaf, accuracy_.rays), rays, counts);
 }
 
 }  // namespace strad

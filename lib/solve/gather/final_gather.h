@@ -39,15 +39,16 @@ class FinalGather {
  public:
   // `radiance`: of the leaves, without emission (see NodeTree::leaf_at). `slopes`: its. Keeps references.
   FinalGather(const NodeTree& tree, const Tracer& tracer, const TimeGrid& grid, const SweptBounds& swept,
-              const FunctionBlock& radiance, LeafSlopes slopes, const GatherAccuracy& accuracy);
+              const FunctionBlock& radiance, LeafSlopes slopes, DirectionGuide guide,
+              const GatherAccuracy& accuracy);
 
   // At a vertex, or over what it stands for: see receiver_of_vertex.
   GatheredFunction at_vertex(uint32_t vertex, uint64_t* rays) const;
   // The mean over a leaf: each ray starts at another point of it. Not scaled up; `unblocked` is never empty.
-  GatheredFunction over_leaf(uint32_t leaf, uint64_t* rays) const;
+  GatheredFunction over_leaf(uint32_t leaf, uint64_t* rays, DirectionCounts* counts = nullptr) const;
 
  private:
-  GatheredFunction gather(const Receiver& receiver, uint64_t* rays) const;
+  GatheredFunction gather(const Receiver& receiver, uint64_t* rays, DirectionCounts* counts) const;
   std::vector<Look> looks_of(const RayBundle& bundle, const std::vector<float>& sums) const;
   bool differs(const RayBundle& bundle, const std::vector<float>& sums, const Look& before,
                const Look& middle, const Look& after) const;

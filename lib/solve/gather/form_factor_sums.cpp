@@ -19,7 +19,7 @@ View view_of(const GatherSpace& space, const Receiver& receiver) {
   const std::vector<Pose>& poses = space.swept.cell_begin_poses(space.grid.cell_count() / 2);
   const Pose& pose = poses[receiver.body];
   int lit = 0, unlit = 0;
-  for (const RestRay& ray : rays_of(receiver, receiver.rays, space.tracer.offset())) {
+  for (const RestRay& ray : rays_of(receiver, {}, receiver.rays, space.tracer.offset())) {
     const uint32_t leaf =
         space.leaf_of(space.tracer.closest(poses, pose * ray.from, rotate(pose, ray.towards)));
     unlit += leaf == kUnlit;
@@ -32,7 +32,7 @@ View view_of(const GatherSpace& space, const Receiver& receiver) {
 View view_of(const GatherSpace& space, uint32_t n, int rays) {
   const Node& node = space.tree.nodes()[n];
   if (!node.is_cluster()) {
-    Receiver receiver = receiver_of_patch(space.tree, node, rays);
+    Receiver receiver = receiver_of_patch(space.tree, n, rays);
     receiver.rays = rays;
     return view_of(space, receiver);
   }

@@ -7,12 +7,14 @@
 namespace strad {
 
 GatherSpace::GatherSpace(const NodeTree& node_tree, const Tracer& ray_tracer, const TimeGrid& time_grid,
-                         const SweptBounds& swept_bounds, LeafSlopes leaf_slopes)
+                         const SweptBounds& swept_bounds, LeafSlopes leaf_slopes,
+                         DirectionGuide direction_guide)
     : tree(node_tree),
       tracer(ray_tracer),
       grid(time_grid),
       swept(swept_bounds),
-      slopes(std::move(leaf_slopes)) {
+      slopes(std::move(leaf_slopes)),
+      guide(std::move(direction_guide)) {
   for (uint32_t b = 0; b < tree.scene().bodies.size(); ++b) {
     moving_mask.push_back(swept.moves(b));
     still_mask.push_back(!moving_mask.back());
@@ -33,6 +35,15 @@ Seen GatherSpace::seen_at(const SurfaceHit& hit) const {
   return {leaf, slopes.factor(leaf, uv)};
 }
 
+namespace {
+
+Seen weighted(Seen seen, float weight) {
+  seen.weight *= weight;
+  return seen;
+}
+
+}  // namespace
+
 RayBundle::RayBundle(const GatherSpace& space, const Receiver& receiver, uint64_t* rays)
     : space_(space),
       body_(receiver.body),
@@ -41,11 +52,12 @@ RayBundle::RayBundle(const GatherSpace& space, const Receiver& receiver, uint64_
       rays_(*rays) {
   // Two looks are blended at each time sample, so half of the rays in each give the same noise.
   const int count = moves_ ? std::max(1, receiver.rays / 2) : receiver.rays;
-  const std::vector<RestRay> rest_rays = rays_of(receiver, count, space.tracer.offset());
+  const std::vector<RestRay> rest_rays =
+      rays_of(receiver, space.guide.density(receiver.node), count, space.tracer.offset());
   if (!moves_)
     trace_still(rest_rays);
   else
-    for (const RestRay& ray : rest_rays) watched_.push_back({ray.from, ray.towards, 1e30, {kOpenView, 1}});
+    for (const RestRay& ray : rest_rays) watched_.push_back({ray, 1e30, {kOpenView, 1}});
 }
 
 void RayBundle::trace_still(const std::vector<RestRay>& rest_rays) {
@@ -55,13 +67,14 @@ void RayBundle::trace_still(const std::vector<RestRay>& rest_rays) {
   for (const RestRay& ray : rest_rays) {
     const Vec3 from = pose * ray.from, towards = rotate(pose, ray.towards);
     const SurfaceHit behind = space_.tracer.closest_of(poses, space_.still_mask, from, towards, 1e30);
-    const Seen seen = space_.seen_at(behind);
+    const Seen seen = weighted(space_.seen_at(behind), ray.weight);
     const double reach = behind.polygon == kNone ? 1e30 : behind.distance;
     if (!space_.swept.may_meet(from, towards, reach)) {
       always_.push_back(seen);
+      always_rays_.push_back(ray);
       continue;
     }
-    watched_.push_back({from, towards, reach, seen});
+    watched_.push_back({{from, towards, ray.xi, ray.weight}, reach, seen});
     for (uint32_t c = 0; c < cells_; ++c) {
       const bool meets = space_.swept.may_meet_in(c, from, towards, reach);
       meets_.push_back(meets);
@@ -77,21 +90,32 @@ std::vector<Seen> RayBundle::see(uint32_t span, uint32_t cell) const {
       cell == 0 ? space_.swept.cell_begin_poses(near) : space_.swept.cell_end_poses(near);
   std::vector<Seen> seen(watched_.size());
   for (size_t i = 0; i < watched_.size(); ++i) {
-    const Watched& ray = watched_[i];
+    const RestRay& ray = watched_[i].ray;
     if (moves_) {
       ++rays_;
-      seen[i] = space_.seen_at(
-          space_.tracer.closest(poses, poses[body_] * ray.from, rotate(poses[body_], ray.towards)));
+      const SurfaceHit hit =
+          space_.tracer.closest(poses, poses[body_] * ray.from, rotate(poses[body_], ray.towards));
+      seen[i] = weighted(space_.seen_at(hit), ray.weight);
       continue;
     }
-    seen[i] = ray.behind;
+    seen[i] = watched_[i].behind;
     if (!may_meet(i, near)) continue;
     ++rays_;
     const SurfaceHit hit =
-        space_.tracer.closest_of(poses, space_.moving_mask, ray.from, ray.towards, ray.reach);
-    if (hit.polygon != kNone) seen[i] = space_.seen_at(hit);
+        space_.tracer.closest_of(poses, space_.moving_mask, ray.from, ray.towards, watched_[i].reach);
+    if (hit.polygon != kNone) seen[i] = weighted(space_.seen_at(hit), ray.weight);
   }
   return seen;
+}
+
+void RayBundle::count(const std::vector<float>& mean_radiance, const std::vector<Seen>& first,
+                      DirectionCounts* counts) const {
+  const auto add = [&](const RestRay& ray, const Seen& seen) {
+    const bool brings = seen.leaf != kOpenView && seen.leaf != kUnlit;
+    counts->add(ray.xi, brings ? seen.weight / ray.weight * mean_radiance[seen.leaf] : 0);
+  };
+  for (size_t i = 0; i < always_.size(); ++i) add(always_rays_[i], always_[i]);
+  for (size_t i = 0; i < first.size(); ++i) add(watched_[i].ray, first[i]);
 }
 
 uint32_t RayBundle::surprise(uint32_t first_cell, uint32_t end_cell) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "light/tracer.h"
+#include "solve/gather/direction_guide.h"
 #include "solve/gather/leaf_slopes.h"
 #include "solve/gather/looks.h"
 #include "solve/gather/receiver.h"
@@ -22,7 +23,8 @@ constexpr uint32_t kUnlit = 0xffffffffu;     // in place of a leaf: a surface th
 // What rays are traced in. It must outlive what keeps it.
 struct GatherSpace {
   GatherSpace(const NodeTree& node_tree, const Tracer& ray_tracer, const TimeGrid& time_grid,
-              const SweptBounds& swept_bounds, LeafSlopes leaf_slopes = {});
+              const SweptBounds& swept_bounds, LeafSlopes leaf_slopes = {},
+              DirectionGuide direction_guide = {});
   uint32_t leaf_of(const SurfaceHit& hit) const;
   Seen seen_at(const SurfaceHit& hit) const;
 
@@ -31,6 +33,7 @@ struct GatherSpace {
   const TimeGrid& grid;
   const SweptBounds& swept;
   LeafSlopes slopes;
+  DirectionGuide guide;
   std::vector<bool> still_mask, moving_mask;  // [body]
 };
 
@@ -42,6 +45,10 @@ class RayBundle {
   size_t ray_count() const { return always_.size() + watched_.size(); }
   // The leaves of rays that never meet anything that moves.
   const std::vector<Seen>& always() const { return always_; }
+  // Adds what all rays have brought by the mean radiance of leaves; `first`: what the other rays saw at
+  // first.
+  void count(const std::vector<float>& mean_radiance, const std::vector<Seen>& first,
+             DirectionCounts* counts) const;
   // The leaves of the other rays, in order, at an end of a cell (see Look).
   std::vector<Seen> see(uint32_t span, uint32_t cell) const;
   // By how many rays at most what they may meet of moving bodies in a cell differs from the blend of the
@@ -50,9 +57,9 @@ class RayBundle {
 
  private:
   struct Watched {
-    Vec3 from, towards;  // world if the receiver rests, else rest
+    RestRay ray;  // world if the receiver rests
     double reach;
-    Seen behind;  // leaf of what rests
+    Seen behind;  // of what rests
   };
   void trace_still(const std::vector<RestRay>& rest_rays);
   bool may_meet(size_t watched, uint32_t cell) const { return meets_[watched * cells_ + cell]; }
@@ -62,6 +69,7 @@ class RayBundle {
   bool moves_;
   size_t cells_;
   std::vector<Seen> always_;
+  std::vector<RestRay> always_rays_;
   std::vector<Watched> watched_;
   std::vector<bool> meets_;       // [watched * cells + cell], of a receiver at rest
   std::vector<uint32_t> active_;  // [cell]: watched rays that may meet something that moves

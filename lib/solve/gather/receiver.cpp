@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/rng.h"
+#include "scene/polygon_geometry.h"
 
 namespace strad {
 namespace {
@@ -64,6 +65,10 @@ Receiver receiver_of_vertex(const NodeTree& tree, uint32_t vertex, int rays) {
   if (is_uniform(builder.mesh().elements[builder.mesh().faces[face].element]))
     return receiver_of_face(tree, face, rays);
   Receiver receiver = receiver_on(tree, face, builder.sample_point(vertex), hash_of(vertex), rays);
+  const Face& f = builder.mesh().faces[face];
+  const Vec2 uv = parametric_of(tree.scene(), tree.scene().polygons[f.polygon], receiver.position);
+  const uint32_t leaf = tree.leaf_at(f.polygon, f.side, uv);
+  if (leaf < tree.nodes().size()) receiver.node = leaf;
   if (vertex < builder.undivided_vertices()) {
     receiver.spread = true;
     receiver.patch = part_at_vertex(tree, face, vertex);
@@ -71,31 +76,36 @@ Receiver receiver_of_vertex(const NodeTree& tree, uint32_t vertex, int rays) {
   return receiver;
 }
 
-Receiver receiver_of_patch(const NodeTree& tree, const Node& patch, int rays) {
+Receiver receiver_of_patch(const NodeTree& tree, uint32_t node, int rays) {
+  const Node& patch = tree.nodes()[node];
   Receiver receiver = receiver_on(tree, patch.face, patch.centre, hash_of(patch.element, 1), rays);
   receiver.spread = true;
   receiver.patch = patch_points(tree, patch);
+  receiver.node = node;
   return receiver;
 }
 
 Receiver receiver_of_leaf(const NodeTree& tree, uint32_t leaf, int rays) {
   const size_t nodes = tree.nodes().size();
-  return leaf < nodes ? receiver_of_patch(tree, tree.nodes()[leaf], rays)
+  return leaf < nodes ? receiver_of_patch(tree, leaf, rays)
                       : receiver_of_face(tree, leaf - static_cast<uint32_t>(nodes), rays);
 }
 
 // R2 points on the disk (Malley 1988), shifted for each receiver.
-std::vector<RestRay> rays_of(const Receiver& receiver, int count, double offset) {
+std::vector<RestRay> rays_of(const Receiver& receiver, const DirectionDensity& density, int count,
+                             double offset) {
   const double u0 = unit_from(mix64(receiver.seed)), v0 = unit_from(mix64(receiver.seed + 1));
   const Frame frame = frame_about(receiver.normal);
   const Vec3 lift = offset * receiver.normal;
   std::vector<RestRay> rays(static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
-    const Point2 xi = r2_point(static_cast<uint32_t>(i), u0, v0);
+    float at = 1;
+    const Point2 xi = density.warp(r2_point(static_cast<uint32_t>(i), u0, v0), &at);
     const double r = std::sqrt(xi.u), phi = 2 * kPi * xi.v;
     rays[static_cast<size_t>(i)] = {origin_of(receiver, i) + lift,
                                     r * std::cos(phi) * frame.tangent + r * std::sin(phi) * frame.bitangent +
-                                        std::sqrt(std::max(0.0, 1 - xi.u)) * frame.normal};
+                                        std::sqrt(std::max(0.0, 1 - xi.u)) * frame.normal,
+                                    xi, 1 / at};
   }
   return rays;
 }

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 #include "refined.h"
 #include "solve/links/direct_of_leaves.h"
 
@@ -44,7 +47,7 @@ struct SpotlitRoom {
 TEST(FinalGather, WhatIsSentOutArrives) {
   const SpotlitRoom lit;
   const FinalGather gather(lit.work.tree, lit.work.tracer, lit.work.grid, lit.work.swept, lit.radiance, {},
-                           {1024});
+                           {}, {1024});
   double sent = 0, arrived = 0;
   uint64_t rays = 0;
   for (const uint32_t leaf : lit.leaves) {
@@ -61,7 +64,7 @@ TEST(FinalGather, UniformRadianceGivesPi) {
   for (const uint32_t leaf : lit.leaves)
     for (size_t d = 0; d < lit.radiance.sample_count(); ++d) lit.radiance.set(leaf, d, {1, 1, 1});
   const FinalGather gather(lit.work.tree, lit.work.tracer, lit.work.grid, lit.work.swept, lit.radiance, {},
-                           {64});
+                           {}, {64});
   uint64_t rays = 0;
   for (const uint32_t leaf : lit.leaves)
     EXPECT_NEAR(gather.over_leaf(leaf, &rays).irradiance[5].r, kPi, 1e-4) << leaf;
@@ -83,7 +86,7 @@ TEST(FinalGather, CornersOfSmallFacesMayLieInsideOfOthers) {
   FunctionBlock radiance(bench.nodes->leaf_count(), leaves_of(*bench.nodes), bench.grid.sample_count());
   for (const uint32_t leaf : radiance.rows())
     for (size_t d = 0; d < radiance.sample_count(); ++d) radiance.set(leaf, d, {1, 1, 1});
-  const FinalGather gather(*bench.nodes, bench.tracer, bench.grid, bench.swept, radiance, {}, {256});
+  const FinalGather gather(*bench.nodes, bench.tracer, bench.grid, bench.swept, radiance, {}, {}, {256});
   uint64_t rays = 0;
   int sides = 0;
   for (uint32_t f = 0; f < builder.undivided_faces(); ++f) {
@@ -94,6 +97,33 @@ TEST(FinalGather, CornersOfSmallFacesMayLieInsideOfOthers) {
       EXPECT_NEAR(gather.at_vertex(root.vertices[c], &rays).irradiance[5].g, kPi, 1e-3) << f << ' ' << c;
   }
   EXPECT_EQ(sides, 4);
+}
+
+// Rays that go where others have found light bring the same, with less noise: the mean over all leaves of the
+// squared error falls to less than half with the directions of 1024 rays a leaf.
+TEST(FinalGather, GuidedRaysAreUnbiased) {
+  const SpotlitRoom lit;
+  const auto gather_by = [&](const DirectionGuide& guide, int rays) {
+    return FinalGather(lit.work.tree, lit.work.tracer, lit.work.grid, lit.work.swept, lit.radiance, {}, guide,
+                       {rays});
+  };
+  std::vector<DirectionCounts> counts(lit.work.tree.nodes().size());
+  const FinalGather learning = gather_by({}, 1024);
+  uint64_t rays = 0;
+  for (const uint32_t leaf : lit.leaves) learning.over_leaf(leaf, &rays, &counts[leaf]);
+  const DirectionGuide guide(lit.work.tree, std::move(counts));
+  const FinalGather exact = gather_by({}, 16384), plain = gather_by({}, 128), guided = gather_by(guide, 128);
+  double error = 0, plain_squares = 0, guided_squares = 0;
+  size_t vertices = 0;
+  for (uint32_t v = 0; v < lit.work.tree.builder().mesh().vertices.size(); v += 17, ++vertices) {
+    const double truth = exact.at_vertex(v, &rays).irradiance[3].g;
+    const double by_cosine = plain.at_vertex(v, &rays).irradiance[3].g / truth - 1,
+                 by_guide = guided.at_vertex(v, &rays).irradiance[3].g / truth - 1;
+    error += by_guide, plain_squares += by_cosine * by_cosine, guided_squares += by_guide * by_guide;
+  }
+  const auto n = static_cast<double>(vertices);
+  EXPECT_NEAR(error / n, 0, 4 * std::sqrt(guided_squares) / n);  // four standard errors
+  EXPECT_LT(guided_squares, 0.5 * plain_squares);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct GatheredRoom {
     for (const uint32_t leaf : radiance.rows())
       for (size_t d = 0; d < radiance.sample_count(); ++d)
         radiance.set(leaf, d, radiance_at(bench.nodes->nodes()[leaf].centre));
-    const FinalGather gather(*bench.nodes, bench.tracer, bench.grid, bench.swept, radiance, {}, {256});
+    const FinalGather gather(*bench.nodes, bench.tracer, bench.grid, bench.swept, radiance, {}, {}, {256});
     IndirectOptions options;
     options.largest_element = 2, options.smallest_element = 0.2;
     options.threshold = 0.01f, options.tolerance = 0.001f;
