@@ -19,9 +19,9 @@ uint32_t PovBuilder::vertex(Vec3 p) {
     return static_cast<float>(x) + 0.0f;
   };  // to float, as in streams; + 0 turns -0 into 0
   p = placed(p);
-  const std::tuple key{rounded(p.x), rounded(p.y), rounded(p.z)};
+  const std::array<float, 3> key{rounded(p.x), rounded(p.y), rounded(p.z)};
   const auto [found, is_new] = vertices_.insert({key, static_cast<uint32_t>(scene_.vertices.size())});
-  if (is_new) scene_.vertices.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key)});
+  if (is_new) scene_.vertices.push_back({key[0], key[1], key[2]});
   return found->second;
 }
 

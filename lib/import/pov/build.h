@@ -1,12 +1,15 @@
 // Puts what a POV-Ray file describes into a scene.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <map>
 #include <string>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
 
+#include "base/rng.h"
 #include "import/import.h"
 #include "import/pov/followed.h"
 #include "import/pov/scene_values.h"
@@ -79,7 +82,13 @@ class PovBuilder {
   std::vector<uint32_t> group_of_piece_, body_of_group_;
   Scene scene_;
   SmoothNormals normals_{&scene_};
-  std::map<std::tuple<float, float, float>, uint32_t> vertices_;
+  struct PointHash {
+    size_t operator()(const std::array<float, 3>& p) const {
+      return hash_of(std::bit_cast<uint32_t>(p[0]), std::bit_cast<uint32_t>(p[1]),
+                     std::bit_cast<uint32_t>(p[2]));
+    }
+  };
+  std::unordered_map<std::array<float, 3>, uint32_t, PointHash> vertices_;
   UniqueNames object_names_, material_names_, spot_names_;
   std::map<std::pair<const PovSurface*, bool>, uint32_t> material_of_surface_;  // mapped or not
   std::map<std::string, Rgb> image_means_;

@@ -51,12 +51,22 @@ double largest(const Box& box) {
 class Cutter {
  public:
   // `size`: of all that is finite; `room`: the largest coordinate of all.
-  Cutter(PovObject* made, double size, double room)
+  Cutter(PovCut* made, double size, double room)
       : made_(made), touch_(kTouch * (size > 0 ? size : 1)), room_(room), welder_(&made->points, touch_) {}
+
+  // The facets that follow are those of an object, from `facet` on.
+  void begin(uint32_t object, uint32_t facet = 0) { object_ = object, facet_ = facet; }
 
   // `cut`: takes the region of the facet, and what is needed to cut it, and returns what is left of it.
   template <typename Cut>
   void add(const PovFacet& facet, const PovObject& of, Cut cut) {
+    add_what_is_left(facet, of, cut);
+    made_->sources.resize(made_->facets.size(), {object_, facet_++});
+  }
+
+ private:
+  template <typename Cut>
+  void add_what_is_left(const PovFacet& facet, const PovObject& of, Cut& cut) {
     std::vector<Vec3> outline;
     Box around;
     for (const uint32_t corner : facet.corners)
@@ -93,7 +103,6 @@ class Cutter {
     if (!rings.empty()) add_rings(rings, {outline, normal}, facet, of);
   }
 
- private:
   static Vec3 doubled_area_of(const std::vector<Vec3>& outline) {
     return strad::doubled_area(std::span<const Vec3>(outline));
   }
@@ -110,6 +119,7 @@ class Cutter {
 
   void keep(const PovFacet& facet, const PovObject& of) {
     PovFacet whole = facet;
+    whole.surface = nullptr;
     for (uint32_t& corner : whole.corners) corner = welder_.index(of.points[corner]);
     const auto first_uv = static_cast<uint32_t>(made_->uvs.size());
     for (size_t k = 0; k < whole.uvs.size(); ++k) {
@@ -129,8 +139,8 @@ class Cutter {
                  const PovObject& of) {
     const PovObject pieces = pov_oriented_polygon(rings, outline.normal);
     for (const PovFacet& piece : pieces.facets) {
-      PovFacet part = facet;
-      part.corners.clear(), part.normals.clear(), part.uvs.clear();
+      PovFacet part;
+      part.part = facet.part;
       for (const uint32_t corner : piece.corners) {
         const uint32_t index = welder_.index(pieces.points[corner]);
         if (!part.corners.empty() && (part.corners.back() == index)) continue;
@@ -169,7 +179,8 @@ class Cutter {
     }
   }
 
-  PovObject* made_;
+  PovCut* made_;
+  uint32_t object_ = 0, facet_ = 0;
   double touch_, room_;
   Welder welder_;
 };
@@ -197,22 +208,9 @@ RingSet boundary_part(const RingSet& region, const PovSolid& solid, const PovShe
 
 bool reaches_far(const PovObject& object) { return reach_of(object) > kEndless / 4; }
 
-}  // namespace
-
-PovObject pov_inverse(PovObject object) {
-  object.solid.inverse = !object.solid.inverse;
-  for (PovFacet& facet : object.facets) {
-    std::reverse(facet.corners.begin(), facet.corners.end());
-    std::reverse(facet.uvs.begin(), facet.uvs.end());
-    std::reverse(facet.normals.begin(), facet.normals.end());
-    for (Vec3& normal : facet.normals) normal = -normal;
-  }
-  return object;
-}
-
-PovObject pov_intersection(std::vector<PovObject> objects) {
-  PovObject made;
-  made.compound = true;
+// What is left of the surfaces of objects where all others are.
+PovCut common_surface(std::span<const PovObject> objects, std::span<const PovSolid>) {
+  PovCut cut;
   double size = 0, room = 1e-3;
   std::vector<PovSolid> solids;
   for (const PovObject& object : objects) {
@@ -220,11 +218,10 @@ PovObject pov_intersection(std::vector<PovObject> objects) {
     const double reach = reach_of(object), hulls = largest(box_of_hulls(solids.back()));
     size = std::max({size, hulls, object.endless ? 0 : reach});
     room = std::max({room, hulls, reach});
-    take_rest(&made, object);
-    made.endless = made.endless || object.endless;
   }
-  Cutter cutter(&made, size, room);
+  Cutter cutter(&cut, size, room);
   for (size_t i = 0; i < objects.size(); ++i) {
+    cutter.begin(static_cast<uint32_t>(i));
     for (const PovFacet& facet : objects[i].facets) {
       cutter.add(facet, objects[i], [&](RingSet region, const PovSheet& sheet, const Box& around) {
         // Surfaces of a union that lie inside it do not bound it.
@@ -241,30 +238,23 @@ PovObject pov_intersection(std::vector<PovObject> objects) {
       });
     }
   }
-  for (PovFacet& facet : made.facets) facet.part = 0;
-  std::vector<PovSolid> parts;
-  for (PovObject& object : objects) parts.push_back(std::move(object.solid));
-  made.solid = solid_of(PovSolid::kIntersection, std::move(parts));
-  made.endless = made.endless && reaches_far(made);
-  return made;
+  return cut;
 }
 
-void pov_clip(PovObject* object, const std::vector<PovSolid>& clips) {
-  PovObject made = *object;
-  made.points.clear();
-  made.uvs.clear();
-  made.facets.clear();
-  made.shapes = {0};
+// What is left of an object's surface inside all solids.
+PovCut clipped_surface(std::span<const PovObject> objects, std::span<const PovSolid> clips) {
+  const PovObject& object = objects[0];
+  PovCut cut;
   std::vector<PovSolid> solids;
-  double size = object->endless ? 0 : reach_of(*object), room = std::max(1e-3, reach_of(*object));
+  double size = object.endless ? 0 : reach_of(object), room = std::max(1e-3, reach_of(object));
   for (const PovSolid& clip : clips) {
     solids.push_back(settled(clip));
     size = std::max(size, largest(box_of_hulls(solids.back())));
   }
-  room = std::max(room, size);
-  Cutter cutter(&made, size, room);
-  for (const PovFacet& facet : object->facets)
-    cutter.add(facet, *object, [&](RingSet region, const PovSheet& sheet, const Box& around) {
+  Cutter cutter(&cut, size, std::max(room, size));
+  cutter.begin(0);
+  for (const PovFacet& facet : object.facets)
+    cutter.add(facet, object, [&](RingSet region, const PovSheet& sheet, const Box& around) {
       for (const PovSolid& solid : solids) {
         // A facet that lies in a side of what clips it, which is common, counts as inside.
         RingSet above = part_inside(region, solid, sheet, PovSide::kAbove, around);
@@ -276,6 +266,65 @@ void pov_clip(PovObject* object, const std::vector<PovSolid>& clips) {
       }
       return region;
     });
+  return cut;
+}
+
+using MakeCut = PovCut (*)(std::span<const PovObject>, std::span<const PovSolid>);
+std::shared_ptr<const PovCut> cached_cut(PovCutCache* cache, std::span<const PovObject> objects,
+                                         std::span<const PovSolid> solids, MakeCut make) {
+  if (!cache) return std::make_shared<const PovCut>(make(objects, solids));
+  const PovCutCache::Key key = PovCutCache::key_of(objects, solids);
+  std::shared_ptr<const PovCut> cut = cache->find(key);
+  if (!cut) cache->keep(key, cut = std::make_shared<const PovCut>(make(objects, solids)));
+  return cut;
+}
+
+// Makes the facets of a cut those of `made`, with the surfaces of those that they come from.
+void take_cut(const PovCut& cut, std::span<const PovObject> objects, PovObject* made) {
+  made->points = cut.points;
+  made->uvs = cut.uvs;
+  made->facets = cut.facets;
+  for (size_t i = 0; i < cut.facets.size(); ++i) {
+    const PovFacet& source = objects[cut.sources[i].first].facets[cut.sources[i].second];
+    made->facets[i].surface = source.surface;
+    made->facets[i].no_shadow = source.no_shadow;
+  }
+}
+
+}  // namespace
+
+PovObject pov_inverse(PovObject object) {
+  object.solid.inverse = !object.solid.inverse;
+  for (PovFacet& facet : object.facets) {
+    std::reverse(facet.corners.begin(), facet.corners.end());
+    std::reverse(facet.uvs.begin(), facet.uvs.end());
+    std::reverse(facet.normals.begin(), facet.normals.end());
+    for (Vec3& normal : facet.normals) normal = -normal;
+  }
+  return object;
+}
+
+PovObject pov_intersection(std::vector<PovObject> objects, PovCutCache* cache) {
+  PovObject made;
+  made.compound = true;
+  for (const PovObject& object : objects) {
+    take_rest(&made, object);
+    made.endless = made.endless || object.endless;
+  }
+  take_cut(*cached_cut(cache, objects, {}, common_surface), objects, &made);
+  for (PovFacet& facet : made.facets) facet.part = 0;
+  std::vector<PovSolid> parts;
+  for (PovObject& object : objects) parts.push_back(std::move(object.solid));
+  made.solid = solid_of(PovSolid::kIntersection, std::move(parts));
+  made.endless = made.endless && reaches_far(made);
+  return made;
+}
+
+void pov_clip(PovObject* object, const std::vector<PovSolid>& clips, PovCutCache* cache) {
+  PovObject made = *object;
+  made.shapes = {0};
+  const std::span<const PovObject> objects(object, 1);
+  take_cut(*cached_cut(cache, objects, clips, clipped_surface), objects, &made);
   std::vector<PovSolid> parts{object->solid};
   parts.insert(parts.end(), clips.begin(), clips.end());
   made.solid = solid_of(PovSolid::kIntersection, std::move(parts));
@@ -285,16 +334,15 @@ void pov_clip(PovObject* object, const std::vector<PovSolid>& clips) {
 
 void pov_cut_endless(PovObject* object, Vec3 centre, double size, double reach) {
   PovObject made = *object;
-  made.points.clear();
-  made.uvs.clear();
-  made.facets.clear();
   made.shapes.clear();
   const double room = std::max(reach_of(*object), largest(Box{centre, centre}));
   size_t next = 0;  // facet: they come in the order of the shapes
+  PovCut cut;
   for (size_t shape = 0; shape < object->shapes.size(); ++shape) {
-    made.shapes.push_back(static_cast<uint32_t>(made.points.size()));
+    made.shapes.push_back(static_cast<uint32_t>(cut.points.size()));
     const uint32_t end = shape + 1 < object->shapes.size() ? object->shapes[shape + 1] : ~uint32_t{0};
-    Cutter cutter(&made, size, room);
+    Cutter cutter(&cut, size, room);
+    cutter.begin(0, static_cast<uint32_t>(next));
     for (; next < object->facets.size() && object->facets[next].corners[0] < end; ++next) {
       const PovFacet& facet = object->facets[next];
       std::vector<Vec3> outline;
@@ -302,12 +350,13 @@ void pov_cut_endless(PovObject* object, Vec3 centre, double size, double reach) 
       const Vec3 normal = normalized(doubled_area(std::span<const Vec3>(outline)));
       const double half = reach * std::max(size, std::abs(dot(centre - outline[0], normal)));
       const Vec3 corner{half, half, half};
-      const PovSolid box = solid_of_facets(pov_box(centre - corner, centre + corner));
+      const PovSolid box = settled(solid_of_facets(pov_box(centre - corner, centre + corner)));
       cutter.add(facet, *object, [&](const RingSet& region, const PovSheet& sheet, const Box& around) {
         return part_inside(region, box, sheet, PovSide::kBelow, around);
       });
     }
   }
+  take_cut(cut, std::span<const PovObject>(object, 1), &made);
   made.endless = false;
   *object = std::move(made);
 }

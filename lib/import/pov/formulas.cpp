@@ -152,6 +152,7 @@ PovObject PovSceneReader::isosurface_shape() {
   const PovPlace at = in_.place();
   if (!in_.take_if("function")) in_.fail_expected("function");
   const PovFunction function = in_.function_value();
+  in_.note_use(function);
   double threshold = 0;
   PovObject container = pov_box({-1, -1, -1}, {1, 1, 1});
   bool open = false;
@@ -181,13 +182,13 @@ PovObject PovSceneReader::isosurface_shape() {
       pov_implicit([&](Vec3 p) { return in_.value_of(function, p) - threshold; }, wider, cells());
   made.place = at;
   if (open) {
-    pov_clip(&made, {container.solid});
+    pov_clip(&made, {container.solid}, cuts_);
     return made;
   }
   std::vector<PovObject> both;
   both.push_back(std::move(made));
   both.push_back(std::move(container));
-  return pov_intersection(std::move(both));
+  return pov_intersection(std::move(both), cuts_);
 }
 
 // bicubic_patch { type T flatness F u_steps U v_steps V, 16 points }

@@ -45,24 +45,54 @@ void meet(const PovObject& object, const PovFacet& facet, Vec3 from, Vec3 direct
   if (inside) *hit = {distance, normal};
 }
 
-Hit first_hit(const PovObject& object, Vec3 from, Vec3 direction) {
+Hit first_hit(const PovObject& object, const BoxTree& facets, Vec3 from, Vec3 direction) {
   Hit hit;
-  for (const PovFacet& facet : object.facets) meet(object, facet, from, direction, &hit);
+  const auto reaches = [&](const Box& box) {
+    double near = 0, far = hit.distance;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = (box.lower[axis] - from[axis]) / direction[axis],
+                   b = (box.upper[axis] - from[axis]) / direction[axis];
+      if (direction[axis] == 0) {
+        if (from[axis] < box.lower[axis] || from[axis] > box.upper[axis]) return false;
+        continue;
+      }
+      near = std::max(near, std::min(a, b));
+      far = std::min(far, std::max(a, b));
+    }
+    return near <= far * (1 + 1e-9) + 1e-12;
+  };
+  facets.visit(reaches, [&](uint32_t facet) {
+    meet(object, object.facets[facet], from, direction, &hit);
+    return false;
+  });
   return hit;
 }
 
 }  // namespace
 
+// Files ask for many rays and points of one object.
+void PovSceneReader::prepare_rays(const std::shared_ptr<const PovObject>& object) {
+  if (asked_.object == object) return;
+  std::vector<Box> boxes;
+  for (const PovFacet& facet : object->facets) {
+    Box& box = boxes.emplace_back();
+    for (const uint32_t corner : facet.corners) box.add(object->points[corner]);
+  }
+  asked_ = {object, settled(object->solid), std::make_shared<const BoxTree>(boxes)};
+}
+
 // min_extent(object), max_extent(object), inside(object, point), trace(object, from, direction [, normal]).
 PovNumbers PovSceneReader::measured(const std::string& name) {
   in_.expect("(");
-  PovObject object;
+  std::shared_ptr<const PovObject> asked;
   if (const auto known = in_.named<std::shared_ptr<const PovObject>>()) {
-    object = **known;
+    asked = *known;
   } else {
     if (!object_is_next()) in_.fail_expected("an object");
-    object = this->object();
+    asked = std::make_shared<const PovObject>(object());
   }
+  if (name == "inside" || name == "trace") prepare_rays(asked);
+  const PovObject& object = *asked;
   PovNumbers result;
   if (name == "min_extent" || name == "max_extent") {
     Box box;
@@ -74,11 +104,11 @@ PovNumbers PovSceneReader::measured(const std::string& name) {
     in_.expect(",");
     const Vec3 point = in_.vector();
     if (name == "inside") {
-      result = number_of(is_inside(settled(object.solid), point));
+      result = number_of(is_inside(asked_.solid, point));
     } else {
       in_.expect(",");
       const Vec3 direction = normalized(in_.vector());
-      const Hit hit = first_hit(object, point, direction);
+      const Hit hit = first_hit(object, *asked_.facets, point, direction);
       const bool met = std::isfinite(hit.distance);
       if (in_.take_if(",")) {
         const std::string normal(in_.take().text);

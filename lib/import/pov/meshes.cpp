@@ -19,6 +19,15 @@ void add_triangle(PovObject* object, uint32_t a, uint32_t b, uint32_t c, PovSurf
   object->facets.push_back(std::move(facet));
 }
 
+std::array<int, 3> triple_of(const PovNumbers& found, const PovPlace& at) {
+  std::array<int, 3> indices{};
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::abs(found[i]) < 1e9)) fail_at(at.file, at.line, "an index is too large");
+    indices[static_cast<size_t>(i)] = static_cast<int>(found[i]);
+  }
+  return indices;
+}
+
 }  // namespace
 
 // Corners a, b, c; of a smooth triangle each is followed by its normal.
@@ -128,13 +137,7 @@ PovMeshLists PovSceneReader::mesh2_lists(PovObject* made) {
 
 std::array<int, 3> PovSceneReader::index_triple() {
   const PovPlace at = in_.place();
-  const Vec3 found = in_.vector();
-  std::array<int, 3> indices{};
-  for (int i = 0; i < 3; ++i) {
-    if (!(std::abs(found[i]) < 1e9)) fail_at(at.file, at.line, "an index is too large");
-    indices[static_cast<size_t>(i)] = static_cast<int>(found[i]);
-  }
-  return indices;
+  return triple_of(promoted(in_.numbers(), 3), at);
 }
 
 // <a, b, c>, then nothing, the index of a texture, or three: one per corner.
@@ -144,9 +147,16 @@ void PovSceneReader::mesh2_face(PovMeshLists* lists) {
   face.corners = index_triple();
   in_.skip_comma();
   while (in_.expression_is_next() && !in_.next_is("<")) {
-    if (face.texture_count == 3) in_.fail_expected("a face or }");
-    face.textures[static_cast<size_t>(face.texture_count++)] = in_.integer();
+    const PovPlace at = in_.place();
+    const PovNumbers found = in_.numbers();
     in_.skip_comma();
+    if (found.size > 1) {  // the next face, as the name of a vector or a sum of some
+      lists->faces.push_back(face);
+      face = {triple_of(found, at), {}, 0, at.line};
+      continue;
+    }
+    if (face.texture_count == 3) fail_at(at.file, at.line, "found a number, expected a face or }");
+    face.textures[static_cast<size_t>(face.texture_count++)] = triple_of(found, at)[0];
   }
   lists->faces.push_back(face);
 }

@@ -102,9 +102,13 @@ PovObject PovSceneReader::sor_shape() {
   const PovPlace at = in_.place();
   const std::vector<Vec2> points = controls();
   if (points.size() < 4) fail_at(at.file, at.line, "a sor has fewer than 4 points");
-  for (size_t i = 1; i + 1 < points.size(); ++i)
-    if (!(points[i + 1].y != points[i - 1].y) || !(points[i + 1].y != points[i].y))
-      fail_at(at.file, at.line, "two points of a sor have one height");
+  for (size_t i = 1; i + 1 < points.size(); ++i)  // the last point only gives a slope
+    if (points[i + 1].y == points[i - 1].y || (i + 2 < points.size() && points[i + 1].y == points[i].y)) {
+      PovObject none;
+      in_.take_if("open");
+      none.problems.push_back({"sor with two points at one height", at});
+      return none;
+    }
   return pov_sor(points, options_.tessellate, in_.take_if("open"));
 }
 
@@ -251,7 +255,7 @@ PovObject PovSceneReader::intersection_shape(bool difference) {
     if (inverse) object = pov_inverse(std::move(object));
   }
   // What cannot be made is left out, not cut away: its surface is missing, and so is its inside.
-  PovObject made = pov_intersection(std::move(objects));
+  PovObject made = pov_intersection(std::move(objects), cuts_);
   made.lights.insert(made.lights.end(), carrier.lights.begin(), carrier.lights.end());
   if (made.facets.empty() && made.problems.empty())
     made.notes.push_back(

@@ -245,7 +245,7 @@ void PovSceneReader::clip(PovObject* object, Modifiers* modifiers) {
     wanted.add(wanted.upper + margin);
   }
   pov_make_pending(object, wanted, cells());
-  pov_clip(object, solids);
+  pov_clip(object, solids, cuts_);
   if (object->facets.empty()) object->notes.push_back({"object outside what clips it left out", at});
 }
 

@@ -26,17 +26,25 @@ std::string frame_words(const PovRun& run) {
 // `extent`: of the first frame, which sets it.
 using Extent = std::optional<PovSceneReader::Extent>;
 
-PovFrame read_frame(const std::string& path, const ImportOptions& options, const PovRun& run, PovFiles* files,
-                    Extent* extent, ImportReport* report) {
-  PovSceneReader reader(options, run, files, report);
+// What frames have in common.
+struct Shared {
+  PovFiles files;
+  PovCutCache cuts;
+  Extent extent;
+};
+
+PovFrame read_frame(const std::string& path, const ImportOptions& options, const PovRun& run, Shared* shared,
+                    ImportReport* report) {
+  shared->cuts.next_frame();
+  PovSceneReader reader(options, run, &shared->files, report, &shared->cuts);
   reader.read(path);
-  reader.cut_endless(extent);
+  reader.cut_endless(&shared->extent);
   return {std::move(reader.placed()), reader.camera()};
 }
 
 // Follows the scene through all frames after the first.
 void follow(const std::string& path, const ImportOptions& options, const PovAnimation& animation,
-            PovFiles* files, Extent* extent, PovFollowed* followed, const Progress& progress) {
+            Shared* shared, PovFollowed* followed, const Progress& progress) {
   const int count = animation.last - animation.first + 1;
   for (int frame = animation.first + 1; frame <= animation.last; ++frame) {
     const PovRun run = run_of(animation, frame);
@@ -44,7 +52,7 @@ void follow(const std::string& path, const ImportOptions& options, const PovAnim
     ImportReport again;  // of what the first frame's has told
     PovFrame now;
     try {
-      now = read_frame(path, options, run, files, extent, &again);
+      now = read_frame(path, options, run, shared, &again);
     } catch (const BadInput& error) {
       throw BadInput(std::string(error.what()) + ", in " + frame_words(run));
     }
@@ -56,16 +64,14 @@ void follow(const std::string& path, const ImportOptions& options, const PovAnim
 
 Scene import_pov(const std::string& path, const ImportOptions& options, ImportReport* report,
                  const PovAnimation& animation, const Progress& progress) {
-  PovFiles files;
-  Extent extent;
-  const PovFrame first =
-      read_frame(path, options, run_of(animation, animation.first), &files, &extent, report);
+  Shared shared;
+  const PovFrame first = read_frame(path, options, run_of(animation, animation.first), &shared, report);
   const bool mirror = !first.camera || is_left_handed(*first.camera);
   std::optional<PovFollowed> followed;
   std::vector<double> times;
   if (animation.moves) {
     followed.emplace(first, mirror, options, report);
-    follow(path, options, animation, &files, &extent, &*followed, progress);
+    follow(path, options, animation, &shared, &*followed, progress);
     for (int frame = animation.first; frame <= animation.last; ++frame)
       times.push_back((frame - animation.first) / animation.rate);
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "import/import.h"
+#include "import/pov/cut_cache.h"
 #include "import/pov/language/interpreter.h"
 #include "import/pov/scene_values.h"
 
@@ -29,8 +30,10 @@ struct PovMeshLists {
 class PovSceneReader : private PovStatements {
  public:
   // The arguments must outlive the reader.
-  PovSceneReader(const ImportOptions& options, const PovRun& run, PovFiles* files, ImportReport* report)
-      : options_(options), report_(report), in_(options, run, files, report, this) {}
+  // `cuts`: what was cut in other frames; may be null.
+  PovSceneReader(const ImportOptions& options, const PovRun& run, PovFiles* files, ImportReport* report,
+                 PovCutCache* cuts = nullptr)
+      : options_(options), report_(report), cuts_(cuts), in_(options, run, files, report, this) {}
 
   using Placed = PovPlaced;
 
@@ -148,10 +151,19 @@ class PovSceneReader : private PovStatements {
 
   const ImportOptions& options_;
   ImportReport* report_;
+  PovCutCache* cuts_;
   PovInterpreter in_;
   std::vector<Placed> placed_;
   std::optional<PovCamera> camera_;
   PovTexture default_texture_;
+  // The object of which rays were asked last.
+  struct Asked {
+    std::shared_ptr<const PovObject> object;
+    PovSolid solid;  // settled
+    std::shared_ptr<const BoxTree> facets;
+  };
+  void prepare_rays(const std::shared_ptr<const PovObject>& object);  // in measures.cpp
+  Asked asked_;
   bool radiosity_ = false;
   std::vector<PovProblem> sky_;  // what lights the scene with radiosity only
 };

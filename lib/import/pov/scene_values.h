@@ -12,6 +12,7 @@
 
 #include "base/rgb.h"
 #include "base/vec.h"
+#include "import/pov/box_tree.h"
 #include "import/pov/language/values.h"
 
 namespace strad {
@@ -124,7 +125,8 @@ struct PovPlane {
 struct PovHull {
   std::vector<Vec3> points;
   std::vector<std::array<uint32_t, 3>> triangles;
-  Box box;  // of the points
+  Box box;                              // of the points
+  std::shared_ptr<const BoxTree> tree;  // of the triangles; null where the hull is not settled
 };
 
 // What is inside an object, as a tree of simple solids.

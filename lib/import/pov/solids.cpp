@@ -81,17 +81,46 @@ RingSet part_behind(const RingSet& region, const PovPlane& plane, const PovSheet
   return combined(RingOperation::kBoth, region, {half});
 }
 
-// How often the hull winds around a point: the solid angle of its triangles (Van Oosterom & Strackee 1983).
-double winding(const PovHull& hull, Vec3 p) {
-  double angle = 0;
-  for (const auto& corners : hull.triangles) {
-    const Vec3 a = hull.points[corners[0]] - p, b = hull.points[corners[1]] - p,
-               c = hull.points[corners[2]] - p;
-    const double la = length(a), lb = length(b), lc = length(c);
-    angle +=
-        2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-  }
-  return angle / (4 * kPi);
+bool reaches(const PovHull& hull, const Box& box) {
+  bool found = false;
+  hull.tree->visit([&box](const Box& other) { return !apart(box, other); },
+                   [&](uint32_t triangle) {
+                     Box own;
+                     for (const uint32_t corner : hull.triangles[triangle]) own.add(hull.points[corner]);
+                     return found = !apart(box, own);
+                   });
+  return found;
+}
+
+// How often the hull winds around a point: the triangles that a ray along x crosses on its way out, less
+// those on its way in. A ray through an edge or a corner is as one that begins a little beside the point, by
+// much less in z than in y (simulation of simplicity, Edelsbrunner & Muecke 1990): it crosses one of the
+// triangles that meet there, or as many out as in.
+int winding(const PovHull& hull, Vec3 p) {
+  int count = 0;
+  const auto side_of = [&](uint32_t from, uint32_t to) {  // of the point, seen along x
+    const bool turned = from > to;
+    const Vec3 a = hull.points[turned ? to : from] - p, b = hull.points[turned ? from : to] - p;
+    const double area = a.y * b.z - a.z * b.y;
+    const double tie = a.z != b.z ? a.z - b.z : b.y - a.y;
+    return ((area != 0 ? area : tie) > 0) != turned;
+  };
+  const auto ahead = [p](const Box& box) {
+    return box.upper.x >= p.x && box.lower.y <= p.y && p.y <= box.upper.y && box.lower.z <= p.z &&
+           p.z <= box.upper.z;
+  };
+  hull.tree->visit(ahead, [&](uint32_t triangle) {
+    const auto [i, j, k] = hull.triangles[triangle];
+    const bool side = side_of(i, j);
+    if (side_of(j, k) != side || side_of(k, i) != side) return false;
+    const Vec3 a = hull.points[i];
+    const Vec3 normal = cross(hull.points[j] - a, hull.points[k] - a);
+    // The way along x to its plane; a triangle along x counts as it lies.
+    const bool before = normal.x != 0 ? dot(a - p, normal) / normal.x > 0 : a.x > p.x;
+    if (before) count += side ? 1 : -1;
+    return false;
+  });
+  return count;
 }
 
 }  // namespace
@@ -146,6 +175,12 @@ PovSolid settled(const PovSolid& solid) {
   for (Vec3& p : hull->points) p = solid.placed.point(p), hull->box.add(p);
   if (solid.placed.mirrors())
     for (auto& corners : hull->triangles) std::swap(corners[1], corners[2]);
+  std::vector<Box> boxes;
+  for (const auto& corners : hull->triangles) {
+    Box& box = boxes.emplace_back();
+    for (const uint32_t corner : corners) box.add(hull->points[corner]);
+  }
+  hull->tree = std::make_shared<const BoxTree>(boxes);
   made.hull = std::move(hull);
   made.placed = {};
   return made;
@@ -165,7 +200,7 @@ bool is_inside(const PovSolid& solid, Vec3 p) {
     case PovSolid::kNothing:
       break;
     case PovSolid::kHull:
-      inside = winding(*solid.hull, p) > 0.5;
+      inside = winding(*solid.hull, p) > 0;
       break;
     case PovSolid::kBehindPlane:
       inside = dot(p, solid.plane.normal) < solid.plane.distance;
@@ -199,6 +234,10 @@ RingSet part_inside(const RingSet& region, const PovSolid& solid, const PovSheet
       break;
     case PovSolid::kHull: {
       if (apart(solid.hull->box, around)) break;
+      if (!reaches(*solid.hull, around)) {  // all inside, or nothing
+        if (winding(*solid.hull, around.centre()) > 0) inside = region;
+        break;
+      }
       const RingSet rings = section(*solid.hull, sheet, side);
       if (!rings.empty()) inside = combined(RingOperation::kBoth, region, rings);
       break;

@@ -165,5 +165,13 @@ TEST_F(ImportPovLanguage, WhatNobodyKnowsIsSkippedWhereDeclaredAndKnownToBe) {
   EXPECT_EQ(coins->in.number(), 1);
 }
 
+// A macro gives the value and goes on to its #end after that: the name is its caller's nevertheless.
+TEST_F(ImportPovLanguage, names_that_macros_give_values_are_where_they_are_declared) {
+  const auto coins = opened(
+      "#macro V(A) A * 2 #end\n#macro W(A) #if (A > 1) A; #else 0; #end #end\n"
+      "#macro U() #local L = V(3)\n#local M = W(4)\n#if (M) L + M #end #end\nU()");
+  EXPECT_EQ(coins->in.number(), 10);
+}
+
 }  // namespace
 }  // namespace strad

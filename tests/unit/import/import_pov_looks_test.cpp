@@ -138,5 +138,73 @@ TEST_F(ImportPovLooks, files_of_the_folder_are_read) {
               {4, 4, 4});
 }
 
+TEST_F(ImportPovLooks, what_a_scene_writes_it_can_read_again) {
+  // Strings are written as they are, numbers with all digits; nothing comes to the disk.
+  expect_near(value("#fopen F \"own.txt\" write\n#write (F, \"\\\"name\\\",\", 1/3, \",\", <1, 2, 3>)\n"
+                    "#fclose F\n#fopen F \"own.txt\" append\n#write (F, \" , 7\")\n#fclose F\n"
+                    "#fopen F \"own.txt\" read\n#read (F, A, B, C, D)\n#fclose F",
+                    "<strlen(A), B * 3, C.z + D>"),
+              {4, 1, 10});
+  EXPECT_TRUE(noted("#fopen for writing: no file is written"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "own.txt"));
+  expect_near(value("#fopen F \"own.inc\" write\n#write (F, \"#declare Q = 5;\\n\")\n#fclose F\n"
+                    "#include \"own.inc\"",
+                    "Q"),
+              {5, 5, 5});
+  EXPECT_NE(refusal("#write (G, 1)").find("expected a file that #fopen has opened for writing"),
+            std::string::npos);
+}
+
+TEST_F(ImportPovLooks, functions_are_those_of_pov_ray) {
+  // As POV-Ray 3.7 prints them, at <1, .2, -.7>.
+  const std::string at = "(1, .2, -.7", functions = "#include \"functions.inc\"\n";
+  const std::vector<std::pair<std::string, double>> cases{
+      {"f_sphere" + at + ", 1)", 0.236932},
+      {"f_torus" + at + ", 1, .25)", 0.047807},
+      {"f_rounded_box" + at + ", .1, 1, .8, .6)", 0.123606},
+      {"f_superellipsoid" + at + ", .5, .3)", -0.013764},
+      {"f_r" + at + ")", 1.236932},
+      {"f_th" + at + ")", 2.181522},
+      {"f_ph" + at + ")", 1.408393},
+      {"f_ellipsoid" + at + ", 1, 2, 3)", 2.360085},
+  };
+  for (const auto& [call, expected] : cases) EXPECT_NEAR(value(functions, call).x, expected, 2e-6) << call;
+  // Noise lies around 0.5, and is told.
+  const double noise = value(functions, "f_noise3d(.3, .4, .5)").x;
+  EXPECT_GT(noise, 0);
+  EXPECT_LT(noise, 1);
+  EXPECT_TRUE(noted("noise is alike POV-Ray's, not the same"));
+}
+
+// Compiled bodies have the values of the same expressions outside functions.
+TEST_F(ImportPovLooks, functions_are_compiled_as_they_are_read) {
+  for (const char* text : {"-x*y + 3/y - 2", "(x > 2 ? y : -y) * 2", "max(x, y, 1.5) - min(x, y)",
+                           "!(x = y) + (x <= y & y != 2)", "select(x - y, 1, 2, 3)", "sin(x)*cos(y) + pi",
+                           "1 - - x", "V.y * x", "pow(x, y) + mod(7, y)"}) {
+    const std::string body = text;
+    EXPECT_NEAR(
+        value("#declare V = <4, 5, 6>;\n#declare F = function(x, y) { " + body + " };", "F(3, 2)").x,
+        value("#declare V = <4, 5, 6>;\n#macro F(X, Y) #local x = X; #local y = Y; (" + body + ") #end",
+              "F(3, 2)")
+            .x,
+        1e-5)
+        << body;
+  }
+  expect_near(value("#declare F = function(x) { -x^2 }; #declare G = function(a, b) { F(a) + F(b)*2 };",
+                    "<F(3) + 10, G(1, 2) + 10, 3>"),
+              {1, 1, 3});
+  EXPECT_NE(refusal("#declare F = function(x) { 1/x };\nbox { 0, F(0) }").find("has no finite value here"),
+            std::string::npos);
+  expect_near(value("#declare F = function { spline { 0, <0, 0, 0>, 1, <2, 4, 6> } };", "F(0.5)"), {1, 2, 3});
+}
+
+TEST_F(ImportPovLooks, a_bad_index_is_skipped_where_unknown_things_are) {
+  const std::string text = "#declare A = array[2] { 3, 4 }\nbox { 0, A[-1] }";
+  EXPECT_EQ(refusal(text), "room.pov:2: index -1 of the array A, expected 0 to 1");
+  options_.skip_unknown = true;
+  EXPECT_EQ(refusal(text), "");
+  EXPECT_TRUE(noted("index -1 of the array A is taken as the nearest that there is"));
+}
+
 }  // namespace
 }  // namespace strad

@@ -109,6 +109,11 @@ TEST_F(ImportPovShapes, turns_outlines) {
   EXPECT_NEAR(volume_of(import("lathe { 3, <0,0>, <1,0>, <0,3> }")), around / 2, 1e-5);
   // A sor through points on a cylinder is one.
   EXPECT_NEAR(volume_of(import("sor { 5, <1,-1>, <1,0>, <1,1>, <1,2>, <1,3> }")), 2 * around / 2, 1e-5);
+  // The last point only gives a slope, and may be as high as the one before; others may not.
+  EXPECT_NEAR(volume_of(import("sor { 5, <1,-1>, <1,0>, <1,1>, <1,2>, <1,2> }")), 2 * around / 2, 1e-5);
+  EXPECT_NE(
+      refusal("sor { 5, <1,-1>, <1,0>, <1,0>, <1,2>, <1,3> }").find("sor with two points at one height"),
+      std::string::npos);
   const Scene sphere = import("superellipsoid { <1, 1> scale 2 }");
   for (const Vec3 p : sphere.vertices) EXPECT_NEAR(length(p), 2, 1e-6);
 }
@@ -159,6 +164,38 @@ TEST_F(ImportPovShapes, finds_surfaces_of_functions) {
                              " <0,0,0> <1,0,0> <2,0,0> <3,0,0> <0,1,0> <1,1,0> <2,1,0> <3,1,0>"
                              " <0,2,0> <1,2,0> <2,2,0> <3,2,0> <0,3,0> <1,3,0> <2,3,0> <3,3,0> }")),
               9, 1e-5);
+}
+
+// What rays and points meet, by the box's own numbers: beside, inside, and through edges of its facets.
+TEST_F(ImportPovShapes, tells_rays_and_points_of_objects) {
+  const std::string box = "#declare B = box { -1, <1, 2, 3> rotate 90*y }\n";  // z becomes x, x becomes -z
+  const auto corner = [&](const std::string& expression) {
+    Box found;
+    for (const Vec3 p : import(box + "box { -100, " + expression + " }").vertices) found.add(p);
+    return found.upper;
+  };
+  expect_near(corner("trace(B, <9, 0, 0>, -x)"), {3, 0, 0});
+  expect_near(corner("trace(B, <0, 9, 0>, -y)"), {0, 2, 0});
+  expect_near(corner("trace(B, <9, 5, 0>, -x) + 1"), {1, 1, 1});  // misses
+  expect_near(corner("<inside(B, <2.9, 1.9, .9>), inside(B, <3.1, 0, 0>), inside(B, <0, 0, 0>)>"), {1, 0, 1});
+  expect_near(corner("<inside(sphere { 0, 1 }, 0), inside(torus { 1, .3 }, 0), inside(torus { 1, .3 }, x)>"),
+              {1, 0, 1});
+  // Also where rays along x pass through corners and edges: of a grid of points, those in the ball.
+  const std::string grid =
+      "#declare B = sphere { 0, 1 } #declare N = 0;\n#for (X, -1.5, 1.5, 0.25) #for (Y, -1.5, 1.5, 0.25)"
+      " #for (Z, -1.5, 1.5, 0.25) #local Q = <X, Y, Z>; #local L = vlength(Q);\n"
+      " #if ((L < 0.97 & !inside(B, Q)) | (L > 1.01 & inside(B, Q))) #declare N = N + 1; #end #end #end "
+      "#end\n";
+  Box wrong;
+  for (const Vec3 p : import(grid + "box { -100, N }").vertices) wrong.add(p);
+  EXPECT_EQ(wrong.upper.x, 0);
+}
+
+// The faces of a mesh may be sums of vectors.
+TEST_F(ImportPovShapes, reads_faces_that_are_expressions) {
+  const Scene scene = import(
+      "#declare F = <0, 1, 2>; mesh2 { vertex_vectors { 4, 0, x, y, x + y } face_indices { 2, F, F + 1 } }");
+  EXPECT_NEAR(area_of(scene), 1, 1e-6);
 }
 
 TEST_F(ImportPovShapes, cuts_planes_without_end) {

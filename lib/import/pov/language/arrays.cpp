@@ -1,5 +1,8 @@
 // POV-Ray's arrays, and names that may stand for them.
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -22,10 +25,17 @@ size_t PovInterpreter::indices_into(const PovArray& array, const std::string& na
   size_t index = 0;
   for (const size_t size : array.sizes) {
     expect("[");
-    const double at = number();
-    if (!(at >= 0 && at < static_cast<double>(size)))
-      fail("index " + std::to_string(at) + " of the array " + name + ", expected 0 to " +
-           std::to_string(size - 1));
+    const PovPlace place = this->place();
+    double at = number();
+    if (!(at >= 0 && at < static_cast<double>(size))) {
+      std::array<char, 40> found;
+      std::snprintf(found.data(), found.size(), "index %.10g", at);
+      const std::string what = found.data() + (" of the array " + name);
+      if (!options_.skip_unknown || !std::isfinite(at))
+        fail_at(place.file, place.line, what + ", expected 0 to " + std::to_string(size - 1));
+      at = at < 0 ? 0 : static_cast<double>(size - 1);
+      report_->add(what + " is taken as the nearest that there is", place.file, place.line);
+    }
     index = index * size + static_cast<size_t>(at);
     expect("]");
   }

@@ -83,8 +83,11 @@ void PovInterpreter::obey_ifdef(bool wanted) {
   }
 }
 
-void PovInterpreter::count_token() {
-  if (++tokens_ > run_.most_words)
+void PovInterpreter::count_token() { count_words(1); }
+
+void PovInterpreter::count_words(double words) {
+  words_ += words;
+  if (words_ > static_cast<double>(run_.most_words))
     fail("the file takes more than " + std::to_string(run_.most_words) + " words");
 }
 

@@ -1,9 +1,11 @@
 // Functions and splines that a POV-Ray file declares, and what it compares.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/text.h"
 #include "import/pov/language/interpreter.h"
+#include "import/pov/language/program.h"
 #include "import/pov/language/spline.h"
 
 namespace strad {
@@ -30,15 +32,7 @@ PovFunction PovInterpreter::function_value() {
   if (!next_is("{")) fail_expected("{");
   made.file = here().file;
   made.body = here().next + 1;
-  const PovToken first = here().file->tokens[made.body];
-  if (first.kind == PovKind::kWord && is_one_of(first.text, {"pattern", "pigment", "internal", "spline"})) {
-    made.unknown = first.text;
-  } else if (first.kind == PovKind::kWord && first.text == "transform") {
-    expect("{");
-    made.thing = std::make_shared<const std::any>(statements_->describe(peek().text));
-    expect("}");
-    return made;
-  }
+  if (special_body(&made)) return made;
   auto names = std::make_shared<PovBindings>();
   int depth = 0;
   do {
@@ -51,7 +45,44 @@ PovFunction PovInterpreter::function_value() {
     ++here().next;
   } while (depth > 0);
   made.names = std::move(names);
+  if (made.unknown.empty())
+    made.program = pov_program(made, [this](std::string_view word) {
+      const auto known = numbers_.find(word);
+      return known == numbers_.end() ? std::optional<double>() : known->second;
+    });
   return made;
+}
+
+// A function that is a transformation, a spline, or one of POV-Ray's own. False, with the { still next, if it
+// is none of these, or none that is known.
+bool PovInterpreter::special_body(PovFunction* made) {
+  const PovToken first = here().file->tokens[made->body];
+  if (first.kind != PovKind::kWord) return false;
+  if (first.text == "transform") {
+    expect("{");
+    made->thing = std::make_shared<const std::any>(statements_->describe(peek().text));
+    expect("}");
+    return true;
+  }
+  if (first.text == "spline") {
+    expect("{");
+    take();
+    made->spline = std::make_shared<const PovSpline>(std::get<PovSpline>(spline_value()));
+    expect("}");
+    return true;
+  }
+  if (first.text == "internal") {  // internal(NUMBER)
+    const PovToken number = here().file->tokens[std::min(made->body + 2, here().file->tokens.size() - 1)];
+    if (number.kind == PovKind::kNumber)
+      made->native = pov_internal_function(static_cast<int>(std::clamp(number.number, -1.0, 1e3)));
+  }
+  if (!made->native && is_one_of(first.text, {"pattern", "pigment", "internal"})) made->unknown = first.text;
+  return false;
+}
+
+void PovInterpreter::note_use(const PovFunction& function) {
+  if ((function.native && is_noise(*function.native)) || (function.program && function.program->noisy))
+    note_noise();
 }
 
 // The arguments follow in parentheses.
@@ -61,6 +92,10 @@ PovNumbers PovInterpreter::call(const PovFunction& function, const std::string& 
 }
 
 double PovInterpreter::value_of(const PovFunction& function, Vec3 at) {
+  if (function.program && function.parameters.size() == 3) {
+    count_words(function.program->cost / 16);  // about as long as a word takes
+    return run(*function.program, std::array{at.x, at.y, at.z});
+  }
   return call_with(function, "", {number_of(at.x), number_of(at.y), number_of(at.z)})[0];
 }
 
@@ -77,13 +112,33 @@ PovNumbers PovInterpreter::call_with(const PovFunction& function, const std::str
     numbers.parts = {result->x, result->y, result->z};
     return numbers;
   }
+  if (function.spline) {
+    if (given.size() != 1) fail("the function " + name + ", made of a spline, has one argument");
+    return spline_at(*function.spline, function.spline->type, given[0][0]);
+  }
   if (!function.unknown.empty()) {
     refuse({"the function " + name + ", made of " + function.unknown + ",", place()}, options_, report_);
     return number_of(0);
   }
+  if (function.native) {
+    std::vector<double> values;
+    for (const PovNumbers& one : given) values.push_back(one[0]);
+    if (values.size() < function.native->least || values.size() > function.native->most)
+      fail("the function " + name + " has " + std::to_string(given.size()) + " arguments, expected " +
+           std::to_string(function.native->least));
+    note_use(function);
+    return finite_of(name, function.native->call(values));
+  }
   if (given.size() != function.parameters.size())
     fail("the function " + name + " has " + std::to_string(given.size()) + " arguments, expected " +
          std::to_string(function.parameters.size()));
+  if (function.program) {
+    std::vector<double> values;
+    for (const PovNumbers& one : given) values.push_back(one[0]);
+    count_words(function.program->cost / 16);
+    note_use(function);
+    return finite_of(name, run(*function.program, values));
+  }
   if (cursors_.size() >= kMaxNesting) fail("functions are nested too deep");
   Cursor inside;
   inside.file = function.file;

@@ -68,6 +68,7 @@ void PovInterpreter::obey_declare(bool local) {
   const std::string name(raw().text);
   ++here().next;
   if (next_is("[")) return declare_element(name);
+  const size_t level = cursors_.size();  // a macro that gives the value has not ended when its value has
   expect("=");
   PovValue declared = value();
   if (const auto* array = std::get_if<std::shared_ptr<PovArray>>(&declared);
@@ -76,7 +77,7 @@ void PovInterpreter::obey_declare(bool local) {
     declared = std::make_shared<PovArray>(**array);
   }
   if (auto* thing = std::get_if<std::any>(&declared)) statements_->name_declared(name, thing);
-  declare(name, std::move(declared), local);
+  declare(name, std::move(declared), local, level);
   if (next_is_plainly(";")) take();
 }
 
@@ -94,6 +95,11 @@ std::string PovInterpreter::found_include(const std::string& name) const {
 void PovInterpreter::obey_include() {
   const PovPlace from = place();
   const std::string name = string();
+  if (const auto own = written_.find(name); own != written_.end()) {
+    if (cursors_.size() >= kMaxNesting) fail("includes and macros are nested too deep");
+    cursors_.emplace_back().file = pov_file_of(own->second, name);
+    return;
+  }
   const std::string path = found_include(name);
   if (!path.empty()) return open(path);
   const std::string what = "included file " + in_quotes(name, name.size()) + " is missing";

@@ -7,52 +7,13 @@
 #include "base/pose.h"
 #include "base/text.h"
 #include "import/pov/language/interpreter.h"
+#include "import/pov/language/noise.h"
+#include "import/pov/language/number_functions.h"
 
 namespace strad {
 namespace {
 
 constexpr size_t kLongestString = 1 << 16;
-
-struct NumberFunction {
-  std::string_view name;
-  size_t least, most;  // arguments
-  double (*call)(const std::vector<double>&);
-};
-using Numbers = const std::vector<double>&;
-
-constexpr std::array<NumberFunction, 28> kNumberFunctions{{
-    {"abs", 1, 1, [](Numbers a) { return std::abs(a[0]); }},
-    {"acos", 1, 1, [](Numbers a) { return std::acos(a[0]); }},
-    {"acosh", 1, 1, [](Numbers a) { return std::acosh(a[0]); }},
-    {"asin", 1, 1, [](Numbers a) { return std::asin(a[0]); }},
-    {"asinh", 1, 1, [](Numbers a) { return std::asinh(a[0]); }},
-    {"atan", 1, 1, [](Numbers a) { return std::atan(a[0]); }},
-    {"atan2", 2, 2, [](Numbers a) { return std::atan2(a[0], a[1]); }},
-    {"ceil", 1, 1, [](Numbers a) { return std::ceil(a[0]); }},
-    {"cos", 1, 1, [](Numbers a) { return std::cos(a[0]); }},
-    {"cosh", 1, 1, [](Numbers a) { return std::cosh(a[0]); }},
-    {"degrees", 1, 1, [](Numbers a) { return a[0] / kDegree; }},
-    {"div", 2, 2, [](Numbers a) { return std::trunc(a[0] / a[1]); }},
-    {"exp", 1, 1, [](Numbers a) { return std::exp(a[0]); }},
-    {"floor", 1, 1, [](Numbers a) { return std::floor(a[0]); }},
-    {"int", 1, 1, [](Numbers a) { return std::trunc(a[0]); }},
-    {"log", 1, 1, [](Numbers a) { return std::log10(a[0]); }},
-    {"ln", 1, 1, [](Numbers a) { return std::log(a[0]); }},
-    {"max", 1, 100, [](Numbers a) { return *std::max_element(a.begin(), a.end()); }},
-    {"min", 1, 100, [](Numbers a) { return *std::min_element(a.begin(), a.end()); }},
-    {"mod", 2, 2, [](Numbers a) { return std::fmod(a[0], a[1]); }},
-    {"pow", 2, 2, [](Numbers a) { return std::pow(a[0], a[1]); }},
-    {"radians", 1, 1, [](Numbers a) { return a[0] * kDegree; }},
-    {"select", 3, 4,
-     [](Numbers a) {
-       return a.size() == 3 ? a[a[0] < 0 ? 1 : 2] : a[a[0] < 0 ? 1 : a[0] > 0 ? 3 : 2];
-     }},
-    {"sin", 1, 1, [](Numbers a) { return std::sin(a[0]); }},
-    {"sinh", 1, 1, [](Numbers a) { return std::sinh(a[0]); }},
-    {"sqrt", 1, 1, [](Numbers a) { return std::sqrt(a[0]); }},
-    {"tan", 1, 1, [](Numbers a) { return std::tan(a[0]); }},
-    {"tanh", 1, 1, [](Numbers a) { return std::tanh(a[0]); }},
-}};
 
 // Functions of objects, which the interpreter's user evaluates.
 bool is_measure(std::string_view name) {
@@ -89,11 +50,10 @@ std::string written(double value, int width, int digits) {
 }  // namespace
 
 bool PovInterpreter::is_function(std::string_view name) const {
-  return std::any_of(kNumberFunctions.begin(), kNumberFunctions.end(),
-                     [&](const auto& f) { return f.name == name; }) ||
-         is_one_of(name, {"vlength", "vdot", "vcross", "vnormalize", "vrotate", "vaxis_rotate", "seed",
-                          "rand", "strlen", "val", "asc", "defined", "dimension_size", "dimensions", "strcmp",
-                          "file_exists"}) ||
+  return pov_number_function(name) ||
+         is_one_of(name, {"vlength", "vdot", "vcross", "vnormalize", "vrotate", "vaxis_rotate", "vturbulence",
+                          "seed", "rand", "strlen", "val", "asc", "defined", "dimension_size", "dimensions",
+                          "strcmp", "file_exists"}) ||
          is_measure(name);
 }
 
@@ -112,15 +72,17 @@ std::vector<PovNumbers> PovInterpreter::arguments(size_t least, size_t most) {
 }
 
 PovNumbers PovInterpreter::function(const std::string& name) {
-  for (const NumberFunction& known : kNumberFunctions) {
-    if (known.name != name) continue;
+  if (const PovNumberFunction* known = pov_number_function(name)) {
     std::vector<double> values;
-    for (const PovNumbers& argument : arguments(known.least, known.most)) values.push_back(argument[0]);
-    const double result = known.call(values);
-    if (!std::isfinite(result)) fail(name + " has no finite value here");
-    return number_of(result);
+    for (const PovNumbers& argument : arguments(known->least, known->most)) values.push_back(argument[0]);
+    return finite_of(name, known->call(values));
   }
   return function_of_other_things(name);
+}
+
+PovNumbers PovInterpreter::finite_of(const std::string& function, double value) {
+  if (!std::isfinite(value)) fail(function + " has no finite value here");
+  return number_of(value);
 }
 
 // POV-Ray's own generator, so that scenes with random positions are the same as in POV-Ray.
@@ -128,6 +90,18 @@ double PovInterpreter::random(size_t stream) {
   if (stream >= random_states_.size()) fail("rand of a stream that seed did not make");
   random_states_[stream] = random_states_[stream] * 1812433253u + 12345u;
   return random_states_[stream] / 4294967295.0;
+}
+
+// vturbulence(lambda, omega, octaves, point)
+PovNumbers PovInterpreter::turbulence() {
+  note_noise();
+  const std::vector<PovNumbers> a = arguments(4, 4);
+  const double octaves = std::clamp(a[2][0], 0.0, 100.0);
+  return numbers_of(turbulence_at(vector_of(a[3]), a[0][0], a[1][0], static_cast<int>(octaves)));
+}
+
+void PovInterpreter::note_noise() {
+  report_->add("noise is alike POV-Ray's, not the same", here().file->name, raw().line);
 }
 
 PovNumbers PovInterpreter::function_of_other_things(const std::string& name) {
@@ -174,6 +148,7 @@ PovNumbers PovInterpreter::function_of_other_things(const std::string& name) {
     expect(")");
     return number_of(result);
   }
+  if (name == "vturbulence") return turbulence();
   const std::vector<PovNumbers> a = arguments(1, 3);
   const size_t wanted = name == "vaxis_rotate"                                    ? 3
                         : name == "vdot" || name == "vcross" || name == "vrotate" ? 2

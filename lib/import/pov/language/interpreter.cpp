@@ -153,11 +153,12 @@ void PovInterpreter::set(const std::string& name, const PovNumbers& value) { dec
 
 // #declare gives a new value to the name that is in scope, be it local, as POV-Ray's Parse_Declare does; a
 // name that is not in scope becomes global.
-void PovInterpreter::declare(const std::string& name, PovValue value, bool local) {
-  auto* names = local ? &here().locals : &globals_;
-  for (auto cursor = cursors_.rbegin(); !local && cursor != cursors_.rend(); ++cursor) {
-    if (!cursor->locals.contains(name)) continue;
-    names = &cursor->locals;
+void PovInterpreter::declare(const std::string& name, PovValue value, bool local, size_t level) {
+  if (level == 0 || level > cursors_.size()) level = cursors_.size();
+  auto* names = local ? &cursors_[level - 1].locals : &globals_;
+  for (size_t i = level; !local && i > 0; --i) {
+    if (!cursors_[i - 1].locals.contains(name)) continue;
+    names = &cursors_[i - 1].locals;
     break;
   }
   names->insert_or_assign(name, std::move(value));

@@ -58,6 +58,8 @@ class PovInterpreter {
   // A function from its parameters or its {, after the word `function`; and its value.
   PovFunction function_value();
   double value_of(const PovFunction& function, Vec3 at);
+  // To be called once where a function is used: reports that its values are not POV-Ray's, if so.
+  void note_use(const PovFunction& function);
   // Takes the next token if it is the name of a declared thing of type T, and returns the thing. Otherwise
   // takes nothing and returns nothing.
   template <typename T>
@@ -112,7 +114,8 @@ class PovInterpreter {
   bool operator_is_next(std::string_view symbol);
   PovPlace place_of(const PovToken& token) const;
   const PovValue* find(std::string_view name) const;
-  void declare(const std::string& name, PovValue value, bool local);
+  // `level`: how many cursors there are where it is declared; 0: as many as there are now.
+  void declare(const std::string& name, PovValue value, bool local, size_t level = 0);
 
   // Directives, in directives.cpp; those that choose and repeat, in blocks.cpp.
   void obey();
@@ -131,6 +134,8 @@ class PovInterpreter {
   void call(PovMacro macro);
   void count_step();
   void count_token();
+  void count_words(double words);
+  PovNumbers finite_of(const std::string& function, double value);
   void declare_element(const std::string& name);
 
   // Expressions, in expressions.cpp; names and arrays, in arrays.cpp; colours, in colours.cpp.
@@ -156,6 +161,7 @@ class PovInterpreter {
   PovNumbers colour_numbers();
   PovNumbers named_numbers();
   // What a file can call, in callables.cpp.
+  bool special_body(PovFunction* made);
   bool is_callable(std::string_view name) const;
   PovNumbers call_with(const PovFunction& function, const std::string& name,
                        const std::vector<PovNumbers>& given);
@@ -166,8 +172,9 @@ class PovInterpreter {
   PovNumbers compared_strings();
   // Other files, in other_files.cpp.
   struct OpenFile {
-    std::shared_ptr<const PovFile> file;  // null: what is written to it is ignored
+    std::shared_ptr<const PovFile> file;  // null: it is missing, or written
     size_t next = 0;
+    std::string written;  // the path of a file that is written; "" if it is read
   };
   void obey_fopen();
   void obey_read();
@@ -178,6 +185,8 @@ class PovInterpreter {
   // Functions, in functions.cpp.
   std::vector<PovNumbers> arguments(size_t least, size_t most);
   PovNumbers function(const std::string& name);
+  PovNumbers turbulence();
+  void note_noise();
   PovNumbers function_of_other_things(const std::string& name);
   bool is_function(std::string_view name) const;
   bool is_string_function(std::string_view name) const;
@@ -193,10 +202,12 @@ class PovInterpreter {
   std::vector<Cursor> cursors_;
   std::map<std::string, PovValue, std::less<>> globals_;
   std::map<std::string, OpenFile, std::less<>> open_files_;
+  // What the scene has written, by path. It stays in memory, to be read or included again.
+  std::map<std::string, std::string, std::less<>> written_;
   std::vector<uint32_t> random_states_;
-  size_t steps_ = 0;   // turns of loops and calls of macros
-  size_t tokens_ = 0;  // taken or skipped
-  size_t made_ = 0;    // bytes
+  size_t steps_ = 0;  // turns of loops and calls of macros
+  double words_ = 0;  // taken or skipped
+  size_t made_ = 0;   // bytes
   int depth_ = 0;
 };
 

@@ -1,4 +1,6 @@
-// Files that a POV-Ray file opens: read if they lie in its folder or below, never written.
+// Files that a POV-Ray file opens: read if they lie in its folder or below; what is written stays in memory.
+#include <array>
+#include <cstdio>
 #include <filesystem>
 
 #include "base/error.h"
@@ -6,6 +8,33 @@
 #include "import/pov/language/interpreter.h"
 
 namespace strad {
+namespace {
+
+std::string unescaped(const std::string& text) {
+  std::string plain;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\' || i + 1 == text.size()) {
+      plain += text[i];
+      continue;
+    }
+    const char c = text[++i];
+    plain += c == 'n' ? '\n' : c == 't' ? '\t' : c == 'r' ? '\r' : c;
+  }
+  return plain;
+}
+
+// With all digits, so that they are the same when they are read again.
+std::string written_numbers(const PovNumbers& numbers) {
+  std::string text;
+  for (int i = 0; i < numbers.size; ++i) {
+    std::array<char, 32> part;
+    std::snprintf(part.data(), part.size(), "%.17g", numbers[i]);
+    text += (i ? "," : "") + std::string(part.data());
+  }
+  return numbers.size == 1 ? text : "<" + text + ">";
+}
+
+}  // namespace
 
 // NAME "file" read, write or append
 void PovInterpreter::obey_fopen() {
@@ -15,9 +44,16 @@ void PovInterpreter::obey_fopen() {
   ++here().next;
   const std::string path = string();
   if (!take_if("read")) {
-    if (!take_if("write") && !take_if("append")) fail_expected("read, write or append");
-    refuse({"#fopen for writing", at}, options_, report_);
-    open_files_[name] = {};
+    const bool append = take_if("append");
+    if (!append && !take_if("write")) fail_expected("read, write or append");
+    report_->add("#fopen for writing: no file is written, only the scene itself can read it again", at.file,
+                 at.line);
+    if (!append) written_[path].clear();
+    open_files_[name] = {nullptr, 0, path};
+    return;
+  }
+  if (const auto own = written_.find(path); own != written_.end()) {
+    open_files_[name] = {pov_file_of(own->second, path), 0, ""};
     return;
   }
   const std::filesystem::path relative(path);
@@ -33,7 +69,7 @@ void PovInterpreter::obey_fopen() {
   }
   std::shared_ptr<const PovFile>& file = (*files_)[found];
   if (!file) file = read_pov_file(found);
-  open_files_[name] = {file, 0};
+  open_files_[name] = {file, 0, ""};
 }
 
 bool PovInterpreter::is_exhausted(std::string_view name) const {
@@ -44,8 +80,11 @@ bool PovInterpreter::is_exhausted(std::string_view name) const {
 
 // The next number, vector or string of a file of such things with commas between.
 PovValue PovInterpreter::value_in(OpenFile* from, const std::string& name) {
-  if (!from->file) {
-    fail("the file " + name + " was left out, so nothing can be read from it");
+  if (!from->written.empty())
+    fail("the file " + name + " is open for writing, so nothing can be read from it");
+  if (!from->file) {  // missing, with skip_missing
+    report_->add("what is read from a missing file is taken as 0", here().file->name, raw().line);
+    return number_of(0);
   }
   const auto& tokens = from->file->tokens;
   const auto bad = [&]() {
@@ -110,15 +149,22 @@ void PovInterpreter::obey_read() {
   }
 }
 
-// (NAME, values): ignored, for #fopen has refused or reported it.
+// (NAME, values): strings without their quotes, numbers and vectors as they are read.
 void PovInterpreter::obey_write() {
   expect("(");
-  for (int depth = 1; depth > 0;) {
-    const PovToken token = take();
-    if (token.kind == PovKind::kEnd) fail_expected(")");
-    if (token.kind == PovKind::kSymbol && token.text == "(") ++depth;
-    if (token.kind == PovKind::kSymbol && token.text == ")") --depth;
+  const std::string name(raw().text);
+  const auto open = open_files_.find(name);
+  if (open == open_files_.end() || open->second.written.empty())
+    fail("found " + in_quotes(name) + ", expected a file that #fopen has opened for writing");
+  std::string& text = written_[open->second.written];
+  const size_t before = text.size();
+  ++here().next;
+  take_if(",");
+  while (!take_if(")")) {
+    text += string_is_next() ? unescaped(string()) : written_numbers(numbers());
+    skip_comma();
   }
+  charge(text.size() - before);
 }
 
 }  // namespace strad

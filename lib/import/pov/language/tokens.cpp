@@ -125,4 +125,12 @@ std::shared_ptr<const PovFile> read_pov_file(const std::string& path) {
   return file;
 }
 
+std::shared_ptr<const PovFile> pov_file_of(std::string text, const std::string& name) {
+  auto file = std::make_shared<PovFile>();
+  file->path = file->name = name;
+  file->text = std::move(text);
+  Lexer(file.get()).run();
+  return file;
+}
+
 }  // namespace strad

@@ -34,5 +34,7 @@ struct PovFile {
 
 // Throws IoError, or BadInput with file and line.
 std::shared_ptr<const PovFile> read_pov_file(const std::string& path);
+// The same of text that is already there. `name`: as messages call it.
+std::shared_ptr<const PovFile> pov_file_of(std::string text, const std::string& name);
 
 }  // namespace strad

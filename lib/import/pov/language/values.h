@@ -68,6 +68,9 @@ struct PovFunction {
   std::vector<std::string> parameters;
   std::shared_ptr<const std::any> thing;  // of function { transform { ... } }: what it does to a vector
   std::string unknown;                    // why it cannot be called, such as "pigment"; empty if it can
+  const struct PovNumberFunction* native = nullptr;  // internal { ... }
+  std::shared_ptr<const struct PovProgram> program;  // the body, if that could be compiled
+  std::shared_ptr<const struct PovSpline> spline;    // function { spline { ... } }
   // Names in the body have the values that they had where the function was declared.
   std::shared_ptr<const struct PovBindings> names;
 };
