@@ -100,7 +100,6 @@ IndirectOptions indirect_options(double diagonal, double error, double mean, dou
   IndirectOptions options;
   options.largest_element = diagonal / 12;
   options.smallest_element = diagonal / 100;
-  options.smoothed_up_to = diagonal / 20;
   options.bright = static_cast<float>(kPi * mean);
   options.dark = static_cast<float>(dark) * options.bright;
   options.threshold = static_cast<float>(error * mean / 8);

@@ -194,7 +194,7 @@ Bounces correct_by_bounces(const Workspace& work, const DirectOfLeaves& direct, 
     *radiance = std::move(next);
     if (!along_links) {
       if (bounces.change < error / 2) break;
-    } else if (bounces.change * std::min(1.0, std::max(bounces.change / last, kContraction)) < error / 4) {
+    } else if (bounces.change * std::min(1.0, std::max(bounces.change / last, kContraction)) < error / 8) {
       break;  // the next correction would be smaller by about as much as this one is than the last
     } else if (bounces.rounds > 1 && bounces.change > last / 2) {
       along_links = false;  // the links are too coarse to be of any more help

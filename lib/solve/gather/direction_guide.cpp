@@ -32,14 +32,16 @@ size_t direction_bin(Point2 xi) {
   return static_cast<size_t>(place_of(xi.u)) * kDirectionRows + static_cast<size_t>(place_of(xi.v));
 }
 
-void DirectionCounts::add(Point2 xi, double brought) {
+void DirectionCounts::add(Point2 xi, double brought, double square) {
   const size_t bin = direction_bin(xi);
   rays[bin] += 1;
-  squares[bin] += static_cast<float>(brought * brought);
+  sums[bin] += static_cast<float>(brought);
+  squares[bin] += static_cast<float>(square);
 }
 
 DirectionCounts& DirectionCounts::operator+=(const DirectionCounts& other) {
-  for (size_t b = 0; b < kDirectionBins; ++b) rays[b] += other.rays[b], squares[b] += other.squares[b];
+  for (size_t b = 0; b < kDirectionBins; ++b)
+    rays[b] += other.rays[b], sums[b] += other.sums[b], squares[b] += other.squares[b];
   return *this;
 }
 
@@ -58,13 +60,20 @@ DirectionDensity::DirectionDensity(const DirectionCounts& counts) : DirectionDen
   for (size_t b = 0; b < kDirectionBins; ++b)
     wanted[b] = std::sqrt((counts.squares[b] + kPrior * usual) / (counts.rays[b] + kPrior));
   const float mean = std::accumulate(wanted.begin(), wanted.end(), 0.0f) / kDirectionBins;
+  const float rays = std::accumulate(counts.rays.begin(), counts.rays.end(), 0.0f);
+  const float everywhere = 1 - (1 - kEverywhere) * std::min(1.0f, rays / kEnough);
+  float brought = 0, square = 0;  // by a ray of this density, by its weight
   for (size_t r = 0; r < kDirectionRows; ++r) {
     row_density_[r] = 0;
     for (size_t c = 0; c < kDirectionRows; ++c) {
-      bin_density_[r][c] = kEverywhere + (1 - kEverywhere) * wanted[r * kDirectionRows + c] / mean;
+      const size_t b = r * kDirectionRows + c;
+      bin_density_[r][c] = everywhere + (1 - everywhere) * wanted[b] / mean;
       row_density_[r] += bin_density_[r][c] / kDirectionRows;
+      brought += counts.sums[b] / std::max(1.0f, counts.rays[b]) / kDirectionBins;
+      square += wanted[b] * wanted[b] / bin_density_[r][c] / kDirectionBins;
     }
   }
+  if (brought > 0) deviation_ = std::sqrt(std::max(0.0f, square / (brought * brought) - 1));
 }
 
 Point2 DirectionDensity::warp(Point2 xi, float* density) const {
@@ -84,8 +93,9 @@ DirectionGuide::DirectionGuide(const NodeTree& tree, std::vector<DirectionCounts
     if (has_patch_above(n)) of_leaves[nodes[n].parent] += of_leaves[n];
   for (size_t n = 0; n < nodes.size(); ++n) {
     if (nodes[n].is_cluster()) continue;
-    const std::array<float, kDirectionBins>& rays = of_leaves[n].rays;
-    if (std::accumulate(rays.begin(), rays.end(), 0.0f) >= kEnough) {
+    const std::array<float, kDirectionBins>& all = of_leaves[n].rays;
+    const float rays = std::accumulate(all.begin(), all.end(), 0.0f);
+    if (rays >= kEnough || (rays > 0 && !has_patch_above(n))) {
       density_of_[n] = static_cast<uint32_t>(densities_.size());
       densities_.emplace_back(of_leaves[n]);
     } else if (has_patch_above(n)) {

@@ -22,9 +22,10 @@ size_t direction_bin(Point2 xi);
 
 // What rays have brought, by direction.
 struct DirectionCounts {
-  std::array<float, kDirectionBins> rays{}, squares{};  // squares: of what each ray brought
+  std::array<float, kDirectionBins> rays{}, sums{}, squares{};  // sums: of what rays brought
 
-  void add(Point2 xi, double brought);
+  // Means over time of what a ray brought and of its square.
+  void add(Point2 xi, double brought, double square);
   DirectionCounts& operator+=(const DirectionCounts& other);
 };
 
@@ -32,16 +33,21 @@ struct DirectionCounts {
 class DirectionDensity {
  public:
   DirectionDensity();  // 1 everywhere
-  // At least half everywhere; the rest as what rays bring asks for (the root mean square in each bin).
+  // At least half everywhere, more where few rays were counted; the rest as what rays bring asks for (the
+  // root mean square in each bin).
   explicit DirectionDensity(const DirectionCounts& counts);
 
   // Maps points of uniform density to points of this one, keeping strata. `*density`: there.
   Point2 warp(Point2 xi, float* density) const;
+  // The standard deviation of what a ray of this density brings by its weight, relative to the mean; 1 where
+  // nothing was counted.
+  float deviation() const { return deviation_; }
 
  private:
   using Row = std::array<float, kDirectionRows>;
   Row row_density_;                              // mean of each row
   std::array<Row, kDirectionRows> bin_density_;  // [row][column]
+  float deviation_ = 1;
 };
 
 class DirectionGuide {
@@ -51,7 +57,7 @@ class DirectionGuide {
   DirectionGuide(const NodeTree& tree, std::vector<DirectionCounts> of_leaves);
 
   // Where the rays of a leaf should go, by its node: as the smallest patch around it says that has had enough
-  // of them. kNone: everywhere.
+  // of them, or the largest. kNone: everywhere.
   const DirectionDensity& density(uint32_t node) const;
 
  private:

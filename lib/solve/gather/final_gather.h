@@ -21,7 +21,9 @@ namespace strad {
 constexpr float kLeastUnblocked = 0.2f;  // of the view of a leaf: below, its few free rays say too little
 
 struct GatherAccuracy {
-  int rays = 512;  // from a vertex or leaf of a large face; small ones get fewer, by their accuracy share
+  // From a vertex or leaf of a large face, where what a ray brings deviates by as much as its mean. Small
+  // faces get fewer, by their accuracy share.
+  int rays = 512;
   double tolerance = 4e-3;  // share of the light gathered by which its course over time may be off
 };
 
@@ -48,7 +50,7 @@ class FinalGather {
   GatheredFunction over_leaf(uint32_t leaf, uint64_t* rays, DirectionCounts* counts = nullptr) const;
 
  private:
-  GatheredFunction gather(const Receiver& receiver, uint64_t* rays, DirectionCounts* counts) const;
+  GatheredFunction gather(Receiver receiver, uint64_t* rays, DirectionCounts* counts) const;
   std::vector<Look> looks_of(const RayBundle& bundle, const std::vector<float>& sums) const;
   bool differs(const RayBundle& bundle, const std::vector<float>& sums, const Look& before,
                const Look& middle, const Look& after) const;

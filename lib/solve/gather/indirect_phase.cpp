@@ -8,7 +8,6 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "solve/mesh/mesh_smoothing.h"
 #include "solve/mesh/undivided_rows.h"
 
 namespace strad {
@@ -257,26 +256,6 @@ std::vector<std::vector<Rgb>> IndirectPhase::gather_undivided_face(uint32_t face
   return rows;
 }
 
-void IndirectPhase::denoise() {
-  const Mesh& mesh = builder_.mesh();
-  std::vector<bool> visited(mesh.elements.size(), false);
-  for (const uint32_t element : visited_) visited[element] = true;
-  std::vector<uint32_t> leaves;
-  for (const uint32_t element : visited_) {
-    const uint32_t first = mesh.elements[element].first_child;
-    if (first == kNone || !visited[first]) leaves.push_back(element);
-  }
-  std::vector<std::vector<NeighbourPair>> pairs = opposite_neighbours(mesh, leaves, options_.smoothed_up_to);
-  const auto is_free = [&](uint32_t v) {
-    return !functions_[v].irradiance.empty() && functions_[v].unblocked.empty();
-  };
-  for (uint32_t v = 0; v < pairs.size(); ++v)
-    std::erase_if(pairs[v], [&](const NeighbourPair& pair) {
-      return !is_free(v) || !is_free(pair.a) || !is_free(pair.b);
-    });
-  smooth(pairs, [&](uint32_t v) -> CoarseFunction& { return functions_[v].irradiance; });
-}
-
 // For each vertex the last one whose surplus asks for its function.
 std::vector<uint32_t> IndirectPhase::last_users_of_functions() const {
   const Mesh& mesh = builder_.mesh();
@@ -306,7 +285,6 @@ Field IndirectPhase::take_surpluses() {
   const Mesh& mesh = builder_.mesh();
   functions_.resize(mesh.vertices.size());
   fill_blocked_vertices();
-  denoise();
   const std::vector<bool> hanging = builder_.hanging_vertices();
   for (size_t v = 0; v < hanging.size(); ++v)
     if (hanging[v]) functions_[v] = {};

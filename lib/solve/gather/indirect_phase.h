@@ -16,7 +16,6 @@ namespace strad {
 struct IndirectOptions {
   double largest_element = 0.8;    // m
   double smallest_element = 0.05;  // m
-  double smoothed_up_to = 0.4;     // m: neighbours farther apart differ by light more than by noise
   float tolerance = 0;             // W / m^2: of the functions that are kept
   float threshold = 0;  // split while surplus radiance * sqrt(area / total area) exceeds it, W / (sr m^2)
   // W / m^2: what is darker than `bright` counts relative to its own irradiance, or to `dark` if that is
@@ -44,7 +43,6 @@ class IndirectPhase {
   bool is_partly_blocked(uint32_t element) const;
   float brightest_at_corners(uint32_t element) const;
   void fill_blocked_vertices();
-  void denoise();
   std::vector<std::vector<Rgb>> gather_undivided_face(uint32_t face, uint64_t* rays) const;
   VertexFunction filled_from(uint32_t vertex, const std::vector<uint32_t>& neighbours) const;
   float weight_of(Rgb irradiance) const;

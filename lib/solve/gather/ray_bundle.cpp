@@ -108,14 +108,25 @@ std::vector<Seen> RayBundle::see(uint32_t span, uint32_t cell) const {
   return seen;
 }
 
-void RayBundle::count(const std::vector<float>& mean_radiance, const std::vector<Seen>& first,
+void RayBundle::count(const std::vector<float>& mean_radiance, const std::vector<Look>& looks,
                       DirectionCounts* counts) const {
-  const auto add = [&](const RestRay& ray, const Seen& seen) {
+  const auto brought = [&](const RestRay& ray, const Seen& seen) {
     const bool brings = seen.leaf != kOpenView && seen.leaf != kUnlit;
-    counts->add(ray.xi, brings ? seen.weight / ray.weight * mean_radiance[seen.leaf] : 0);
+    return brings ? double{seen.weight} / ray.weight * mean_radiance[seen.leaf] : 0.0;
   };
-  for (size_t i = 0; i < always_.size(); ++i) add(always_rays_[i], always_[i]);
-  for (size_t i = 0; i < first.size(); ++i) add(watched_[i].ray, first[i]);
+  for (size_t i = 0; i < always_.size(); ++i) {
+    const double b = brought(always_rays_[i], always_[i]);
+    counts->add(always_rays_[i].xi, b, b * b);
+  }
+  for (size_t i = 0; i < watched_.size(); ++i) {
+    double sum = 0, squares = 0;
+    for (const Look& look : looks) {
+      const double b = brought(watched_[i].ray, look.seen[i]);
+      sum += b, squares += b * b;
+    }
+    const auto n = static_cast<double>(looks.size());
+    counts->add(watched_[i].ray.xi, sum / n, squares / n);
+  }
 }
 
 uint32_t RayBundle::surprise(uint32_t first_cell, uint32_t end_cell) const {

@@ -45,9 +45,8 @@ class RayBundle {
   size_t ray_count() const { return always_.size() + watched_.size(); }
   // The leaves of rays that never meet anything that moves.
   const std::vector<Seen>& always() const { return always_; }
-  // Adds what all rays have brought by the mean radiance of leaves; `first`: what the other rays saw at
-  // first.
-  void count(const std::vector<float>& mean_radiance, const std::vector<Seen>& first,
+  // Adds what all rays have brought by the mean radiance of leaves; `looks`: what the other rays saw.
+  void count(const std::vector<float>& mean_radiance, const std::vector<Look>& looks,
              DirectionCounts* counts) const;
   // The leaves of the other rays, in order, at an end of a cell (see Look).
   std::vector<Seen> see(uint32_t span, uint32_t cell) const;

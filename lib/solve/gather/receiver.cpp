@@ -82,6 +82,7 @@ Receiver receiver_of_patch(const NodeTree& tree, uint32_t node, int rays) {
   receiver.spread = true;
   receiver.patch = patch_points(tree, patch);
   receiver.node = node;
+  if (patch.is_part) receiver.rays /= 4;  // as many as the four parts of a leaf had together
   return receiver;
 }
 

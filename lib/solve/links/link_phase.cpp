@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solve/links/divided_leaves.h"
 #include "solve/links/refinement.h"
 
 namespace strad {
@@ -58,10 +59,15 @@ RefinedLinks refine_links(const Workspace& work, const std::vector<Instant>& ins
     links.table = make_link_table(work.grid, static_cast<uint32_t>(tree->nodes().size()), refinement.links());
     links.reflections = reflections_of(*tree);
     links.form_factor_sums = form_factor_sums(&links.form_factor_rays);
-    if (factor == 1) continue;
     update(input, probe_samples, &refinement);
-    refinement.weigh_by_local_light(options.mean / kLocalLooseness, options.dark);
+    refinement.weigh_by_local_light(factor > 1 ? options.mean / kLocalLooseness : options.mean, options.dark);
   }
+  divide_leaves(refinement, options.threshold, tree);
+  const std::vector<Node>& nodes = tree->nodes();
+  links.table = make_link_table(work.grid, static_cast<uint32_t>(nodes.size()), refinement.links());
+  links.reflections = reflections_of(*tree);
+  for (size_t n = links.form_factor_sums.size(); n < nodes.size(); ++n)
+    links.form_factor_sums.push_back(links.form_factor_sums[nodes[n].parent]);
   links.count = refinement.links().size();
   links.counts = refinement.counts();
   return links;

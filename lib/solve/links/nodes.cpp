@@ -151,6 +151,12 @@ void NodeTree::split(uint32_t node) {
 
 // A step of the octree (Christensen et al. 1997). Faces no larger than an octant of the cube about the
 // cluster go to the octant that holds their centre. Larger faces become children themselves.
+void NodeTree::divide(uint32_t patch) {
+  split(patch);
+  const Node& node = nodes_[patch];
+  for (uint32_t c = 0; c < node.child_count; ++c) nodes_[node.first_child + c].is_part = true;
+}
+
 void NodeTree::split_cluster(uint32_t n) {
   const Cluster cluster = clusters_[nodes_[n].cluster];
   const auto begin = cluster_faces_.begin() + cluster.first_face;

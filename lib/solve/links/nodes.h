@@ -25,12 +25,13 @@ struct Node {
   uint32_t parent = kNone;       // kNone: a root
   uint32_t first_child = kNone;  // child_count in a row; kNone: a leaf
   uint32_t child_count = 0;
-  uint32_t slot = 0;  // the first row for its functions of time: one for a patch, kLobes for a cluster
-  float area = 0;     // m^2
-  float radius = 0;   // m, of a sphere about the centre
-  Vec3 centre;        // rest
-  Vec3 normal;        // rest, of the receiving and emitting side of a patch
-  Rgb reflectance;    // of a patch; the mean of a cluster
+  uint32_t slot = 0;     // the first row for its functions of time: one for a patch, kLobes for a cluster
+  float area = 0;        // m^2
+  float radius = 0;      // m, of a sphere about the centre
+  Vec3 centre;           // rest
+  Vec3 normal;           // rest, of the receiving and emitting side of a patch
+  Rgb reflectance;       // of a patch; the mean of a cluster
+  bool is_part = false;  // of a leaf that links reach as a whole, see divide()
 
   bool is_cluster() const { return cluster != kNone; }
   bool is_leaf() const { return first_child == kNone; }
@@ -65,6 +66,8 @@ class NodeTree {
 
   // Makes the children of a leaf.
   void split(uint32_t node);
+  // The same of a leaf patch, whose children get no links of their own.
+  void divide(uint32_t patch);
 
   // Leaves are leaf patches and the faces of leaf clusters. They are numbered from 0: the node of
   // a patch, or nodes().size() + the face.

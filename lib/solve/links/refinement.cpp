@@ -185,6 +185,29 @@ void Refinement::weigh_by_local_light(double mean, double dark) {
     weight_[i] = static_cast<float>(std::max(1.0, mean / std::max(double{local_[i]}, floor)));
 }
 
+Refinement::Shading Refinement::shading_of(uint32_t n) const {
+  const Node& node = tree_.nodes()[n];
+  const size_t probes = probe_samples_.size();
+  Shading sum{0, 0, 0};
+  for (size_t i = 0; i < probes; ++i) {
+    const float radiance = brightest_[n * probes + i];
+    sum.radiance += radiance;
+    sum.weight += weight_[n * probes + i];
+    if (node.is_leaf()) {
+      sum.spread += spread_[n * probes + i];
+      continue;
+    }
+    float squares = 0;
+    for (uint32_t c = 0; c < node.child_count; ++c) {
+      const float d = brightest_[(node.first_child + c) * probes + i] - radiance;
+      squares += d * d;
+    }
+    sum.spread += std::sqrt(squares / static_cast<float>(node.child_count));
+  }
+  const float share = 1 / static_cast<float>(probes);
+  return {share * sum.radiance, share * sum.spread, share * sum.weight};
+}
+
 // Radiance weighted by what errors count at the receiver at that time.
 Refinement::Brightness Refinement::brightness(const Link& link) const {
   Brightness b;

@@ -39,6 +39,15 @@ class Refinement {
   // radiance of the scene. `dark`: a share of the scene's brightest tenth; what is darker counts as that.
   void weigh_by_local_light(double mean, double dark);
 
+  // Of a node, means over the probe time samples.
+  struct Shading {
+    float radiance = 0;  // W / (sr m^2), of a cluster the brightest lobe's
+    float spread = 0;    // rms difference of its parts' radiance, as far as it has parts
+    float weight = 1;    // of errors there
+  };
+  Shading shading_of(uint32_t node) const;
+  double total_area() const { return total_area_; }  // m^2, of the scene
+
   const std::vector<Link>& links() const { return links_; }
   // Radiance that a slot reflects of direct light at a probe time sample.
   Rgb direct(size_t slot, size_t time_sample) const {

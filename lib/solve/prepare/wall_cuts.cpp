@@ -19,6 +19,7 @@ namespace {
 // Fractions of the scene's diagonal: the least size of a floor, the least length and height of a wall, and
 // the most thickness of a thin solid.
 constexpr double kLong = 1.0 / 20, kWide = 1.0 / 50, kTall = 1.0 / 50, kThin = 1.0 / 50;
+constexpr double kWhole = 0.9;  // of the floor: a contact as long as this parts it, however short it is
 constexpr double kApart = 1.0 / 1000;  // contacts closer than this to an edge of the floor are not cut
 constexpr double kTouching = 1e-5;
 constexpr double kGap = 2e-6;  // between the two pieces, so that the mesh does not join their corners
@@ -107,7 +108,9 @@ std::optional<Contact> contact_of(const Flat& floor, const Flat& wall, double di
   const Stretch on_floor = within(floor.corners, floor.normal, at, direction, 0);
   const Stretch on_wall = within(wall.corners, wall.normal, at, direction, kTouching * diagonal);
   const double begin = std::max(on_floor.begin, on_wall.begin), end = std::min(on_floor.end, on_wall.end);
-  if (floor.box.diagonal() < kLong * diagonal || end - begin < kWide * diagonal) return std::nullopt;
+  const double across = on_floor.end - on_floor.begin;
+  if (floor.box.diagonal() < kLong * diagonal || end - begin < std::min(kWide * diagonal, kWhole * across))
+    return std::nullopt;
   const Vec3 middle = at + 0.5 * (begin + end) * direction;
   if (distance_to_edges(floor.corners, floor.normal, middle) < kApart * diagonal) return std::nullopt;
   double highest = 0;

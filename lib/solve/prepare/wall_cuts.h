@@ -19,10 +19,10 @@ struct CutScene {
 };
 
 // The scene with polygons at rest cut where a wall at rest stands on them or passes through them. The polygon
-// must measure at least a twentieth of the scene's diagonal; the contact must be at least a fiftieth of it
-// long, and the wall as high. A wall is a surface that light reaches on both sides, a surface with a dark
-// room behind it, or a side of a solid thinner than a fiftieth of the diagonal. Polygons are not cut along
-// furniture.
+// must measure at least a twentieth of the scene's diagonal. The contact must be at least a fiftieth of it
+// long, or part the polygon; the wall must be a fiftieth of it high. A wall is a surface that light reaches
+// on both sides, a surface with a dark room behind it, or a side of a solid thinner than a fiftieth of the
+// diagonal. Polygons are not cut along furniture.
 CutScene cut_under_walls(Scene scene);
 
 }  // namespace strad

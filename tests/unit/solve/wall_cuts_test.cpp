@@ -116,6 +116,27 @@ TEST(WallCuts, LowAndNarrowThingsDoNotCut) {
   EXPECT_EQ(floor_of(cut_under_walls(post).scene).pieces, 1);
 }
 
+// The end of a partition, 0.15 m wide, with the lintel of a door against it: less than a fiftieth of the
+// diagonal long, but the contact parts the face.
+TEST(WallCuts, AJambIsCutUnderItsLintel) {
+  Scene scene = room();
+  add_box(&scene, {4, 0, 0}, {4.15, 2, 3}, false);
+  add_box(&scene, {4, 2, 2}, {4.15, 3, 3}, false);
+  add_box(&scene, {4, 3, 0}, {4.15, 4, 3}, false);
+  const Scene cut = cut_under_walls(scene).scene;
+  int below = 0, above = 0;
+  for (const Polygon& polygon : cut.polygons) {
+    Box box;
+    for (int c = 0; c < polygon.corner_count(); ++c) box.add(cut.vertices[polygon.corners[c]]);
+    if (box.lower.y < 1.99 || box.upper.y > 2.01 || box.upper.x > 4.2) continue;
+    below += box.lower.z < 0.01 && box.upper.z < 2.01;
+    above += box.lower.z > 1.99;
+    EXPECT_FALSE(box.lower.z < 1.9 && box.upper.z > 2.1);
+  }
+  EXPECT_EQ(below, 1);
+  EXPECT_EQ(above, 2);  // the rest of the jamb, and the end of the lintel
+}
+
 TEST(WallCuts, WhatMovesDoesNotCut) {
   Scene scene = room();
   const uint32_t body = add_body(&scene, {0.5, 0, 0});
