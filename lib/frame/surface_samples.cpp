@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "base/rng.h"
+#include "scene/polygon_geometry.h"
+#include "scene/texture.h"
 
 namespace strad {
 namespace {
@@ -44,6 +46,13 @@ Vec3 point_in(const Stretch& triangle, Point2 p) {
   return origin + p.u * (triangle.corners[1] - origin) + p.v * (triangle.corners[2] - origin);
 }
 
+bool lies_in_hole(const Scene& scene, const RestSample& sample) {
+  const Polygon& polygon = scene.polygons[sample.polygon];
+  if (!may_have_holes(scene, polygon)) return false;
+  const Vec2 at = parametric_of(scene, polygon, sample.rest_point);
+  return is_hole(scene.textures[scene.materials[polygon.material].texture], texture_uv(scene, polygon, at));
+}
+
 }  // namespace
 
 std::vector<RestSample> surface_samples(const Scene& scene, const std::vector<bool>& wanted, uint32_t count,
@@ -55,7 +64,9 @@ std::vector<RestSample> surface_samples(const Scene& scene, const std::vector<bo
   if (!(stretches.area() > 0)) return samples;
   for (uint32_t i = 0; i < count; ++i) {
     const Stretch& triangle = stretches.at((i + shift.area) / count * stretches.area());
-    samples.push_back({triangle.polygon, triangle.side, point_in(triangle, r2_point(i, shift.u, shift.v))});
+    const RestSample sample{triangle.polygon, triangle.side,
+                            point_in(triangle, r2_point(i, shift.u, shift.v))};
+    if (!lies_in_hole(scene, sample)) samples.push_back(sample);
   }
   return samples;
 }

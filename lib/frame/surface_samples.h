@@ -21,7 +21,7 @@ struct SampleShift {
 };
 
 // `count` points in order of polygons, the count of each side in proportion to its area, of the sides with
-// wanted[2 * polygon + side]. Empty when their area is zero.
+// wanted[2 * polygon + side]. Those in holes of textures are left out. Empty when their area is zero.
 std::vector<RestSample> surface_samples(const Scene& scene, const std::vector<bool>& wanted, uint32_t count,
                                         const SampleShift& shift = {});
 

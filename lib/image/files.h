@@ -17,7 +17,7 @@ namespace strad {
 // path; a pixel that is not finite is bad, and so is what is no plain file, for it may never end.
 Image load_image(const std::string& path);
 
-// The same as 8-bit sRGB. The bytes of an 8-bit file are kept as they are.
+// The same as 8-bit sRGB, with alpha. The bytes of an 8-bit file are kept as they are.
 SrgbImage load_srgb_image(const std::string& path);
 
 // The extension names the format. EXR: half floats unless floats are asked for, those above the largest half

@@ -25,7 +25,8 @@ struct Image {
 // A picture as texture files hold it: 8 bits per channel on the sRGB curve, rows from the top.
 struct SrgbImage {
   uint32_t width = 0, height = 0;
-  std::vector<uint8_t> bytes;  // width * height * 3
+  std::vector<uint8_t> bytes;    // width * height * 3
+  std::vector<uint8_t> alpha{};  // width * height, not on the curve; empty: opaque
 };
 
 // Larger pictures are refused before memory is taken for them.

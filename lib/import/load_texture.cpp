@@ -24,10 +24,20 @@ SrgbImage srgb_from_linear_file(const std::string& path) {
 Texture load_texture(const TextureSource& source) {
   try {
     SrgbImage picture = source.linear ? srgb_from_linear_file(source.path) : load_srgb_image(source.path);
-    return {source.name, picture.width, picture.height, std::move(picture.bytes)};
+    Texture texture{source.name, picture.width, picture.height, std::move(picture.bytes)};
+    if (!picture.alpha.empty()) texture.opacity = {picture.width, picture.height, std::move(picture.alpha)};
+    return texture;
   } catch (const std::exception& error) {
     fail_at(source.file, source.line, error.what());
   }
+}
+
+Opacity load_opacity(const TextureSource& source) {
+  const Texture texture = load_texture(source);
+  if (!texture.opacity.values.empty()) return texture.opacity;
+  Opacity opacity{texture.width, texture.height, {}};
+  for (size_t i = 0; i < texture.srgb.size(); i += 3) opacity.values.push_back(texture.srgb[i]);
+  return opacity;
 }
 
 }  // namespace strad

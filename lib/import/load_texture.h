@@ -16,7 +16,10 @@ struct TextureSource {
   uint32_t line = 0;
 };
 
-// Throws BadInput at source.file and source.line.
+// Its holes are those of the picture's alpha, if it has any. Throws BadInput at source.file and source.line.
 Texture load_texture(const TextureSource& source);
+
+// A picture that says how opaque a surface is: by its alpha, or if it has none by its first channel.
+Opacity load_opacity(const TextureSource& source);
 
 }  // namespace strad

@@ -3,9 +3,12 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <deque>
+#include <span>
 
 #include "base/error.h"
 #include "scene/polygon_geometry.h"
+#include "scene/texture.h"
 #include "scene/trajectory.h"
 
 namespace strad {
@@ -17,13 +20,18 @@ struct LocalRay {
 
 // Bodies that never move share one structure, in world coordinates; each moving body has its own, at rest.
 struct Group {
+  const Scene* of = nullptr;
   RTCScene scene = nullptr;
   uint32_t body = 0;
   bool moves = false;
   Vec3 middle;  // the origin of Embree's coordinates, which are floats
   std::vector<uint32_t> polygon_of_triangle;
   std::vector<bool> second_of_quad;  // [triangle]: corners 0, 2, 3 of its polygon, not 0, 1, 2
+  uint32_t first_with_holes = 0;     // triangles from here on may have holes
 };
+
+// Embree's numbers of the geometries of a group.
+constexpr uint32_t kWhole = 0, kWithHoles = 1;
 
 // The nearest hit so far, as the ray tracer tells it.
 struct Nearest {
@@ -64,6 +72,19 @@ Vec3 middle_of(const std::vector<Vec3>& corners, double scene_diagonal) {
   return length(box.centre()) > kNear * scene_diagonal ? box.centre() : Vec3{};
 }
 
+// Called by Embree for hits of the geometry with holes: those in a hole do not count.
+void pass_holes(const RTCFilterFunctionNArguments* args) {
+  const Group& group = *static_cast<const Group*>(args->geometryUserPtr);
+  const uint32_t triangle = group.first_with_holes + RTCHitN_primID(args->hit, args->N, 0);
+  const Polygon& polygon = group.of->polygons[group.polygon_of_triangle[triangle]];
+  const double u = RTCHitN_u(args->hit, args->N, 0), v = RTCHitN_v(args->hit, args->N, 0);
+  const int second = group.second_of_quad[triangle] ? 2 : 1;
+  const auto uv = [&](int corner) { return group.of->uvs[polygon.uvs[corner]]; };
+  const Vec2 a = uv(0), b = uv(second), c = uv(second + 1);
+  const Vec2 at{(1 - u - v) * a.x + u * b.x + v * c.x, (1 - u - v) * a.y + u * b.y + v * c.y};
+  if (is_hole(group.of->textures[group.of->materials[polygon.material].texture], at)) args->valid[0] = 0;
+}
+
 LocalRay into(const Group& group, const std::vector<Pose>& world_from_body, Vec3 from, Vec3 direction) {
   if (!group.moves) return {from - group.middle, direction};
   const Pose& pose = world_from_body[group.body];
@@ -75,7 +96,7 @@ LocalRay into(const Group& group, const std::vector<Pose>& world_from_body, Vec3
 
 struct Tracer::State {
   RTCDevice device = nullptr;
-  std::vector<Group> groups;
+  std::deque<Group> groups;  // Embree keeps pointers to them
   std::vector<Box> body_boxes;
   Box scene_box;
   const Scene* scene = nullptr;
@@ -87,13 +108,19 @@ struct Tracer::State {
     if (device) rtcReleaseDevice(device);
   }
 
-  void add_group(uint32_t body, bool moves, const std::vector<uint32_t>& polygons) {
-    Group group;
+  void add_group(uint32_t body, bool moves, std::vector<uint32_t> polygons) {
+    const auto with_holes = std::stable_partition(polygons.begin(), polygons.end(), [&](uint32_t p) {
+      return !may_have_holes(*scene, scene->polygons[p]);
+    });
+    if (polygons.empty()) return;
+    Group& group = groups.emplace_back();
+    group.of = scene;
     group.body = body;
     group.moves = moves;
     std::vector<Vec3> positions;
-    for (const uint32_t p : polygons) {
-      const Polygon& polygon = scene->polygons[p];
+    for (auto p = polygons.begin(); p != polygons.end(); ++p) {
+      if (p == with_holes) group.first_with_holes = static_cast<uint32_t>(positions.size() / 3);
+      const Polygon& polygon = scene->polygons[*p];
       const uint32_t owner = body_of(*scene, polygon);
       const auto push = [&](int corner) {
         const Vec3 rest = scene->vertices[polygon.corners[corner]];
@@ -101,14 +128,22 @@ struct Tracer::State {
       };
       for (int t = 0; t + 2 < polygon.corner_count(); ++t) {
         push(0), push(t + 1), push(t + 2);
-        group.polygon_of_triangle.push_back(p);
+        group.polygon_of_triangle.push_back(*p);
         group.second_of_quad.push_back(t == 1);
       }
     }
-    if (positions.empty()) return;
+    if (with_holes == polygons.end()) group.first_with_holes = static_cast<uint32_t>(positions.size() / 3);
     group.middle = middle_of(positions, scene_box.diagonal());
     group.scene = rtcNewScene(device);
     rtcSetSceneFlags(group.scene, RTC_SCENE_FLAG_ROBUST);
+    const auto middle = positions.begin() + 3 * static_cast<ptrdiff_t>(group.first_with_holes);
+    attach(&group, kWhole, {positions.begin(), middle});
+    attach(&group, kWithHoles, {middle, positions.end()});
+    rtcCommitScene(group.scene);
+  }
+
+  void attach(Group* group, uint32_t number, std::span<const Vec3> positions) {
+    if (positions.empty()) return;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), positions.size()));
@@ -118,14 +153,17 @@ struct Tracer::State {
     for (size_t i = 0; i < positions.size(); ++i) {
       for (int axis = 0; axis < 3; ++axis)
         vertices[3 * i + static_cast<size_t>(axis)] =
-            static_cast<float>(positions[i][axis] - group.middle[axis]);
+            static_cast<float>(positions[i][axis] - group->middle[axis]);
       indices[i] = static_cast<uint32_t>(i);
     }
+    if (number == kWithHoles) {
+      rtcSetGeometryUserData(geometry, group);
+      rtcSetGeometryIntersectFilterFunction(geometry, pass_holes);
+      rtcSetGeometryOccludedFilterFunction(geometry, pass_holes);
+    }
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(group.scene, geometry);
+    rtcAttachGeometryByID(group->scene, geometry, number);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(group.scene);
-    groups.push_back(std::move(group));
   }
 
   bool occluded(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction) const {
@@ -155,7 +193,8 @@ struct Tracer::State {
     const bool front = query.hit.Ng_x * query.ray.dir_x + query.hit.Ng_y * query.ray.dir_y +
                            query.hit.Ng_z * query.ray.dir_z <
                        0;
-    *best = {&group, query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar, front, local};
+    const uint32_t first = query.hit.geomID == kWithHoles ? group.first_with_holes : 0;
+    *best = {&group, first + query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar, front, local};
   }
 
   SurfaceHit hit_of(const Nearest& nearest) const {

@@ -1,5 +1,5 @@
 // Exact visibility at an instant: one static ray-tracing structure per moving body, rays carried into the
-// frame of each. The only user of Embree.
+// frame of each. Rays pass the holes of textures. The only user of Embree.
 #pragma once
 
 #include <cstdint>

@@ -12,12 +12,19 @@
 
 namespace strad {
 
+// How opaque a texture is: its holes are where it is less than half. Rows from the top.
+struct Opacity {
+  uint32_t width = 0, height = 0;  // need not be the texture's
+  std::vector<uint8_t> values;     // width * height, 255: opaque; empty: no holes
+};
+
 // Texture of a material's reflectance, 8-bit sRGB, rows from the top.
 struct Texture {
   std::string name;  // as the MTL file spells it
   uint32_t width = 0, height = 0;
   std::vector<uint8_t> srgb;  // width * height * 3
   bool clamp = false;         // outside of 0..1 its edge goes on; else it repeats
+  Opacity opacity{};
 };
 
 struct Material {

@@ -18,6 +18,7 @@ constexpr ChunkType kObjects = chunk_type("OBJS");
 constexpr ChunkType kMaterials = chunk_type("MATL");
 constexpr ChunkType kTexture = chunk_type("TEXR");
 constexpr ChunkType kTextureModes = chunk_type("TEXM");
+constexpr ChunkType kTextureHoles = chunk_type("TEXA");
 constexpr ChunkType kMotion = chunk_type("MOTN");
 
 // Differences of the bits of successive floats: neighbours in a file are mostly neighbours in space, and then
@@ -146,12 +147,26 @@ std::vector<Material> get_materials(ByteReader* from) {
 }
 
 // Differences from the pixel to the left, wrapped: flat areas become zeros.
+void put_differences(Bytes* to, const std::vector<uint8_t>& values, size_t step) {
+  for (size_t i = 0; i < values.size(); ++i)
+    put_u8(to, static_cast<uint8_t>(values[i] - (i < step ? 0 : values[i - step])));
+}
+
+std::vector<uint8_t> get_differences(ByteReader* from, uint64_t width, uint64_t height, size_t step) {
+  const uint64_t pixels = width * height;
+  if (pixels > from->remaining() / step) from->fail("found a picture larger than the bytes left");
+  const ByteSpan differences = from->bytes(step * pixels);
+  std::vector<uint8_t> values(differences.begin(), differences.end());
+  for (size_t i = step; i < values.size(); ++i)
+    values[i] = static_cast<uint8_t>(values[i] + values[i - step]);
+  return values;
+}
+
 void put_texture(Bytes* to, const Texture& texture) {
   put_text(to, texture.name);
   put_varint(to, texture.width);
   put_varint(to, texture.height);
-  for (size_t i = 0; i < texture.srgb.size(); ++i)
-    put_u8(to, static_cast<uint8_t>(texture.srgb[i] - (i < 3 ? 0 : texture.srgb[i - 3])));
+  put_differences(to, texture.srgb, 3);
 }
 
 Texture get_texture(ByteReader* from) {
@@ -159,13 +174,28 @@ Texture get_texture(ByteReader* from) {
   texture.name = from->text();
   texture.width = from->number(kNone, "a width");
   texture.height = from->number(kNone, "a height");
-  const uint64_t pixels = uint64_t{texture.width} * texture.height;
-  if (pixels > from->remaining() / 3) from->fail("found a picture larger than the bytes left");
-  const ByteSpan differences = from->bytes(3 * pixels);
-  texture.srgb.assign(differences.begin(), differences.end());
-  for (size_t i = 3; i < texture.srgb.size(); ++i)
-    texture.srgb[i] = static_cast<uint8_t>(texture.srgb[i] + texture.srgb[i - 3]);
+  texture.srgb = get_differences(from, texture.width, texture.height, 3);
   return texture;
+}
+
+// Of all textures; no size where a texture has no holes.
+void put_texture_holes(Bytes* to, const std::vector<Texture>& textures) {
+  put_varint(to, textures.size());
+  for (const Texture& texture : textures) {
+    put_varint(to, texture.opacity.width);
+    put_varint(to, texture.opacity.height);
+    put_differences(to, texture.opacity.values, 1);
+  }
+}
+
+std::vector<Opacity> get_texture_holes(ByteReader* from) {
+  std::vector<Opacity> all(from->count(2, "textures"));
+  for (Opacity& opacity : all) {
+    opacity.width = from->number(kNone, "a width");
+    opacity.height = from->number(kNone, "a height");
+    opacity.values = get_differences(from, opacity.width, opacity.height, 1);
+  }
+  return all;
 }
 
 // Frozen numbers: 0 repeats, 1 is clamped.
@@ -192,7 +222,7 @@ std::vector<std::string> get_lines(ByteReader* from) {
 }
 
 void decode(ChunkType type, ByteReader* from, Scene* scene, std::vector<bool>* clamps,
-            StoredNormals* normals) {
+            std::vector<Opacity>* opacities, StoredNormals* normals) {
   if (type == kProvenance) scene->provenance = get_lines(from);
   if (type == kVertices) scene->vertices = get_points<Vec3>(from, {&Vec3::x, &Vec3::y, &Vec3::z});
   if (type == kTextureCoordinates) scene->uvs = get_points<Vec2>(from, {&Vec2::x, &Vec2::y});
@@ -202,11 +232,13 @@ void decode(ChunkType type, ByteReader* from, Scene* scene, std::vector<bool>* c
   if (type == kMaterials) scene->materials = get_materials(from);
   if (type == kTexture) scene->textures.push_back(get_texture(from));
   if (type == kTextureModes) *clamps = get_texture_modes(from);
+  if (type == kTextureHoles) *opacities = get_texture_holes(from);
   if (type == kMotion) get_motion(from, scene);
 }
 
 constexpr ChunkType kRequired[] = {kVertices, kPolygons, kObjects, kMaterials, kMotion};
-constexpr ChunkType kOptional[] = {kProvenance, kTextureCoordinates, kTexture, kTextureModes, kNormalsChunk};
+constexpr ChunkType kOptional[] = {kProvenance,   kTextureCoordinates, kTexture,
+                                   kTextureModes, kTextureHoles,       kNormalsChunk};
 
 bool contains(std::span<const ChunkType> types, ChunkType type) {
   return std::find(types.begin(), types.end(), type) != types.end();
@@ -231,6 +263,9 @@ std::vector<Chunk> encode_scene(const Scene& scene) {
   const bool any_clamp =
       std::any_of(scene.textures.begin(), scene.textures.end(), [](const Texture& t) { return t.clamp; });
   if (any_clamp) put_texture_modes(add(kTextureModes), scene.textures);
+  const bool any_holes = std::any_of(scene.textures.begin(), scene.textures.end(),
+                                     [](const Texture& t) { return !t.opacity.values.empty(); });
+  if (any_holes) put_texture_holes(add(kTextureHoles), scene.textures);
   put_motion(add(kMotion), scene);
   return chunks;
 }
@@ -242,7 +277,7 @@ bool SceneDecoder::add(ChunkType type, ByteSpan content, const std::string& plac
   if (type != kTexture && contains(seen_, type)) throw BadInput(place + ": there is one already");
   seen_.push_back(type);
   ByteReader from(content, place);
-  decode(type, &from, &scene_, &clamps_, &normals_);
+  decode(type, &from, &scene_, &clamps_, &opacities_, &normals_);
   from.finish();
   return true;
 }
@@ -250,10 +285,15 @@ bool SceneDecoder::add(ChunkType type, ByteSpan content, const std::string& plac
 Scene SceneDecoder::finish(const std::string& place) {
   for (const ChunkType type : kRequired)
     if (!contains(seen_, type)) throw BadInput(place + ": the scene has no chunk " + name_of(type));
-  if (contains(seen_, kTextureModes) && clamps_.size() != scene_.textures.size())
-    throw BadInput(place + ": found modes of " + std::to_string(clamps_.size()) + " textures, expected " +
-                   std::to_string(scene_.textures.size()));
+  const auto check = [&](ChunkType type, const char* what, size_t count) {
+    if (contains(seen_, type) && count != scene_.textures.size())
+      throw BadInput(place + ": found " + what + " of " + std::to_string(count) + " textures, expected " +
+                     std::to_string(scene_.textures.size()));
+  };
+  check(kTextureModes, "modes", clamps_.size());
+  check(kTextureHoles, "holes", opacities_.size());
   for (size_t i = 0; i < clamps_.size(); ++i) scene_.textures[i].clamp = clamps_[i];
+  for (size_t i = 0; i < opacities_.size(); ++i) scene_.textures[i].opacity = std::move(opacities_[i]);
   if (contains(seen_, kNormalsChunk)) apply_normals(std::move(normals_), place, &scene_);
   try {
     validate(scene_);

@@ -26,7 +26,8 @@ class SceneDecoder {
  private:
   Scene scene_;
   std::vector<ChunkType> seen_;
-  std::vector<bool> clamps_;  // of the textures
+  std::vector<bool> clamps_;        // of the textures
+  std::vector<Opacity> opacities_;  // likewise
   StoredNormals normals_;
 };
 

@@ -53,16 +53,43 @@ Rgb texture_colour(const Texture& texture, Vec2 uv) {
   return (1 - y.part) * upper + y.part * lower;
 }
 
+bool is_hole(const Texture& texture, Vec2 uv) {
+  const Opacity& opacity = texture.opacity;
+  if (opacity.values.empty() || !std::isfinite(uv.x) || !std::isfinite(uv.y)) return false;
+  const Between x = between(uv.x * opacity.width - 0.5, opacity.width, texture.clamp);
+  const Between y = between((1 - uv.y) * opacity.height - 0.5, opacity.height, texture.clamp);
+  const auto at = [&](uint32_t column, uint32_t row) {
+    return static_cast<float>(opacity.values[size_t{row} * opacity.width + column]);
+  };
+  const float upper = (1 - x.part) * at(x.low, y.low) + x.part * at(x.high, y.low);
+  const float lower = (1 - x.part) * at(x.low, y.high) + x.part * at(x.high, y.high);
+  return (1 - y.part) * upper + y.part * lower < 127.5f;
+}
+
+bool may_have_holes(const Scene& scene, const Polygon& polygon) {
+  return has_texture(scene, polygon) && !emits(scene, polygon) &&
+         !scene.textures[scene.materials[polygon.material].texture].opacity.values.empty();
+}
+
+// Texels that lie in holes show nothing.
 Rgb mean_colour(const Texture& texture) {
-  double sum[3] = {0, 0, 0};
-  for (size_t i = 0; i < texture.srgb.size(); ++i) sum[i % 3] += linear_of_byte()[texture.srgb[i]];
-  const double texels = std::max(1.0, static_cast<double>(texture.srgb.size() / 3));
-  const auto mean = [&](int channel) { return static_cast<float>(sum[channel] / texels); };
+  double sum[3] = {0, 0, 0}, texels = 0;
+  for (uint32_t row = 0; row < texture.height; ++row)
+    for (uint32_t column = 0; column < texture.width; ++column) {
+      const Vec2 uv{(column + 0.5) / texture.width, 1 - (row + 0.5) / texture.height};
+      if (is_hole(texture, uv)) continue;
+      const Rgb colour = texel(texture, column, row);
+      for (int c = 0; c < 3; ++c) sum[c] += double{colour[c]};
+      ++texels;
+    }
+  const auto mean = [&](int channel) { return static_cast<float>(sum[channel] / std::max(1.0, texels)); };
   return {mean(0), mean(1), mean(2)};
 }
 
-Rgb mean_colour(const Scene& scene, const Polygon& polygon, const Texture& texture) {
-  // About one sample per texel, within bounds.
+namespace {
+
+// Texture coordinates spread evenly over a polygon, about one per texel, within bounds.
+std::vector<Vec2> spread_uvs(const Scene& scene, const Polygon& polygon, double texels_of_texture) {
   constexpr double kFewest = 16, kMost = 4096;
   double twice = 0;  // twice its area in texture coordinates
   const int corners = polygon.corner_count();
@@ -70,16 +97,38 @@ Rgb mean_colour(const Scene& scene, const Polygon& polygon, const Texture& textu
     const Vec2 a = scene.uvs[polygon.uvs[i]], b = scene.uvs[polygon.uvs[(i + 1) % corners]];
     twice += a.x * b.y - b.x * a.y;
   }
-  const double texels = 0.5 * std::abs(twice) * texture.width * texture.height;
+  const double texels = 0.5 * std::abs(twice) * texels_of_texture;
   const auto count =
       static_cast<uint32_t>(std::isfinite(texels) ? std::clamp(texels, kFewest, kMost) : kFewest);
-  Rgb sum;
+  std::vector<Vec2> uvs;
   for (uint32_t i = 0; i < count; ++i) {
     Point2 p = r2_point(i, 0.5, 0.5);
     if (corners == 3 && p.u + p.v > 1) p = {1 - p.u, 1 - p.v};
-    sum += texture_colour(texture, texture_uv(scene, polygon, {p.u, p.v}));
+    uvs.push_back(texture_uv(scene, polygon, {p.u, p.v}));
   }
-  return (1 / static_cast<float>(count)) * sum;
+  return uvs;
+}
+
+}  // namespace
+
+Rgb mean_colour(const Scene& scene, const Polygon& polygon, const Texture& texture) {
+  Rgb sum;
+  size_t shown = 0;
+  for (const Vec2 uv : spread_uvs(scene, polygon, double{1} * texture.width * texture.height)) {
+    if (is_hole(texture, uv)) continue;
+    sum += texture_colour(texture, uv);
+    ++shown;
+  }
+  return shown == 0 ? mean_colour(texture) : (1 / static_cast<float>(shown)) * sum;
+}
+
+double coverage_of(const Scene& scene, const Polygon& polygon) {
+  if (!may_have_holes(scene, polygon)) return 1;
+  const Texture& texture = scene.textures[scene.materials[polygon.material].texture];
+  const std::vector<Vec2> uvs =
+      spread_uvs(scene, polygon, double{1} * texture.opacity.width * texture.opacity.height);
+  const auto shown = std::count_if(uvs.begin(), uvs.end(), [&](Vec2 uv) { return !is_hole(texture, uv); });
+  return static_cast<double>(shown) / static_cast<double>(uvs.size());
 }
 
 Vec2 texture_uv(const Scene& scene, const Polygon& polygon, Vec2 at) {

@@ -14,7 +14,18 @@ Rgb texture_colour(const Texture& texture, Vec2 uv);
 // REQUIRES: the polygon has them.
 Vec2 texture_uv(const Scene& scene, const Polygon& polygon, Vec2 at);
 
-// Mean over the texture, and over the part of it that a polygon shows. REQUIRES: the polygon has coordinates.
+// Is there a hole at texture coordinates `uv`? By the opacity there, bilinear, so that its edge is a smooth
+// line.
+bool is_hole(const Texture& texture, Vec2 uv);
+
+// May the polygon have holes? Lamps have none.
+bool may_have_holes(const Scene& scene, const Polygon& polygon);
+
+// The share of a polygon that is not holes; 1 where it has no texture coordinates.
+double coverage_of(const Scene& scene, const Polygon& polygon);
+
+// Mean over the texture, and over the part of it that a polygon shows, without holes. REQUIRES: the polygon
+// has coordinates.
 Rgb mean_colour(const Texture& texture);
 Rgb mean_colour(const Scene& scene, const Polygon& polygon, const Texture& texture);
 

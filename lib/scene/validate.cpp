@@ -97,6 +97,8 @@ void check_texture(const Texture& texture) {
   if (pixels == 0) fail("texture", texture.name, "it has no pixels");
   if (texture.srgb.size() % 3 != 0 || texture.srgb.size() / 3 != pixels)
     fail("texture", texture.name, "its size is not width times height");
+  if (texture.opacity.values.size() != uint64_t{texture.opacity.width} * texture.opacity.height)
+    fail("texture", texture.name, "the size of its opacity is not width times height");
 }
 
 template <typename Key>

@@ -62,13 +62,16 @@ bool is_cut_jpeg(const std::string& path) {
   return scan != bytes.npos && (end == bytes.npos || end < scan);
 }
 
-// Opens `path` and reads its first `channels` channels (1 or 3) as `type`.
+// Opens `path` and reads its first channels (1 or 3) as `type`, and its alpha, if it has one that is not 1
+// everywhere. Colours are as the file has them, not multiplied by alpha where they were not.
 template <class Sample>
 std::string read_channels(const std::string& path, OIIO::TypeDesc type, OIIO::ImageSpec* spec,
-                          std::vector<Sample>* samples) {
+                          std::vector<Sample>* samples, std::vector<Sample>* alpha = nullptr) {
   keep_to_one_thread();
   const Silence silence;
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &config);
   if (!input) return "cannot be read as a picture: " + first_line(OIIO::geterror());
   *spec = input->spec();
   if (spec->width <= 0 || spec->height <= 0 || spec->depth > 1 ||
@@ -82,6 +85,12 @@ std::string read_channels(const std::string& path, OIIO::TypeDesc type, OIIO::Im
     return "cannot be read: " + first_line(input->geterror());
   if (input->format_name() == std::string("jpeg") && is_cut_jpeg(path))
     return "cannot be read: it is cut off";
+  if (alpha && spec->alpha_channel >= 0 && spec->alpha_channel >= channels) {
+    alpha->resize(static_cast<size_t>(spec->width) * static_cast<size_t>(spec->height));
+    if (!input->read_image(0, 0, spec->alpha_channel, spec->alpha_channel + 1, type, alpha->data()))
+      return "cannot be read: " + first_line(input->geterror());
+    if (std::all_of(alpha->begin(), alpha->end(), [](Sample a) { return a >= 1; })) alpha->clear();
+  }
   spec->nchannels = channels;
   for (size_t i = 0; i < samples->size(); ++i) {
     if (std::isfinite((*samples)[i])) continue;
@@ -110,8 +119,9 @@ std::string read(const std::string& path, Image* image) {
 
 std::string read_srgb(const std::string& path, SrgbImage* image) {
   OIIO::ImageSpec spec;
-  std::vector<float> samples;  // floats, since those of EXR are linear and may exceed 1
-  if (const std::string fault = read_channels(path, OIIO::TypeDesc::FLOAT, &spec, &samples); !fault.empty())
+  std::vector<float> samples, alpha;  // floats, since those of EXR are linear and may exceed 1
+  if (const std::string fault = read_channels(path, OIIO::TypeDesc::FLOAT, &spec, &samples, &alpha);
+      !fault.empty())
     return fault;
   image->width = static_cast<uint32_t>(spec.width);
   image->height = static_cast<uint32_t>(spec.height);
@@ -122,6 +132,8 @@ std::string read_srgb(const std::string& path, SrgbImage* image) {
   image->bytes.reserve(size_t{3} * image->width * image->height);
   for (size_t i = 0; i < samples.size(); ++i)
     image->bytes.insert(image->bytes.end(), spec.nchannels == 3 ? 1 : 3, byte(samples[i]));
+  for (const float a : alpha)
+    image->alpha.push_back(static_cast<uint8_t>(255 * std::clamp(a, 0.0f, 1.0f) + 0.5f));
   return "";
 }
 

@@ -32,6 +32,13 @@ struct Placed {
   bool moves() const { return motion.translation || motion.rotation; }
 };
 
+// Moves the alpha below which there are holes to a half.
+void set_threshold(double hole_below, Opacity* opacity) {
+  if (!(hole_below > 0)) *opacity = {};
+  for (uint8_t& value : opacity->values)
+    value = static_cast<uint8_t>(std::clamp(std::lround(value - 255 * hole_below + 127.5), 0L, 255L));
+}
+
 class GltfBuilder {
  public:
   GltfBuilder(const GltfModel& model, const ImportOptions& options, const GltfOptions& gltf,
@@ -55,7 +62,7 @@ class GltfBuilder {
   void add_mesh(const Placed& placed);
   void add_primitive(const GltfPrimitive& primitive, const Placed& placed, const std::string& name);
   uint32_t material(uint32_t index);
-  uint32_t texture(uint32_t image);
+  uint32_t texture(uint32_t image, double hole_below);
   void add_light(const Placed& placed);
   void add_camera(const Placed& placed);
   std::vector<double> key_times(uint32_t body) const;
@@ -70,7 +77,8 @@ class GltfBuilder {
   std::vector<Placed> placed_;
   Scene scene_;
   UniqueNames objects_, materials_, spots_, cameras_, bodies_;
-  std::map<uint32_t, uint32_t> material_of_, texture_of_;
+  std::map<uint32_t, uint32_t> material_of_;
+  std::map<std::pair<uint32_t, double>, uint32_t> texture_of_;    // by image and GltfMaterial::hole_below
   std::map<std::tuple<float, float, float>, uint32_t> vertices_;  // of the object that is being added
 };
 
@@ -200,8 +208,8 @@ void GltfBuilder::make_bodies() {
   }
 }
 
-uint32_t GltfBuilder::texture(uint32_t image) {
-  const auto [found, is_new] = texture_of_.insert({image, kNone});
+uint32_t GltfBuilder::texture(uint32_t image, double hole_below) {
+  const auto [found, is_new] = texture_of_.insert({{image, hole_below}, kNone});
   if (!is_new) return found->second;
   const Texture& given = model_.images[image];
   if (given.srgb.empty()) {
@@ -211,6 +219,7 @@ uint32_t GltfBuilder::texture(uint32_t image) {
     return kNone;
   }
   scene_.textures.push_back(given);
+  set_threshold(hole_below, &scene_.textures.back().opacity);
   return found->second = static_cast<uint32_t>(scene_.textures.size() - 1);
 }
 
@@ -225,7 +234,7 @@ uint32_t GltfBuilder::material(uint32_t index) {
     for (const std::string& note : given.notes) report_->add(note, model_.file, 1);
     material.reflectance = given.reflectance;
     material.emission = given.emission;
-    if (given.image != kNone) material.texture = texture(given.image);
+    if (given.image != kNone) material.texture = texture(given.image, given.hole_below);
   }
   material.reflectance = limited_reflectance(material.reflectance, model_.file, 1, report_);
   material.name = materials_.unique(material.name);

@@ -30,6 +30,7 @@ struct GltfMaterial {
   std::string name;
   Rgb reflectance{1, 1, 1}, emission;
   uint32_t image = kNone;
+  double hole_below = 0;  // of the image's alpha; 0: no holes
   std::vector<std::string> problems, notes;
 };
 

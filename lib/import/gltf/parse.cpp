@@ -247,6 +247,11 @@ void GltfReader::images() {
       for (size_t p = 0; p < pixels; ++p)
         for (size_t c = 0; c < 3; ++c)  // of 16 bits the upper 8, which are the second byte
           texture.srgb.push_back(decoded.image[(p * channels + c) * wide + wide - 1]);
+      if (channels == 4) {
+        texture.opacity = {texture.width, texture.height, {}};
+        for (size_t p = 0; p < pixels; ++p)
+          texture.opacity.values.push_back(decoded.image[(p * channels + 3) * wide + wide - 1]);
+      }
     }
     made_.images.push_back(std::move(texture));
   }
@@ -281,8 +286,11 @@ void GltfReader::materials() {
         material.problems.push_back("KHR_texture_transform");
     }
     if (given.emissiveTexture.index >= 0) material.problems.push_back("emissiveTexture");
-    if (given.alphaMode == "BLEND" || given.alphaMode == "MASK")
-      material.notes.push_back("alphaMode " + given.alphaMode + " is ignored: surfaces are opaque");
+    const double alpha = pbr.baseColorFactor.size() == 4 ? pbr.baseColorFactor[3] : 1;
+    if (given.alphaMode == "MASK") material.hole_below = given.alphaCutoff / std::max(alpha, 1e-6);
+    if (given.alphaMode == "BLEND") material.hole_below = 0.5 / std::max(alpha, 1e-6);
+    if (given.alphaMode == "BLEND")
+      material.notes.push_back("alphaMode BLEND is taken as holes where alpha is below a half");
     if (given.extensions.contains("KHR_materials_transmission"))
       material.problems.push_back("KHR_materials_transmission");
     if (given.extensions.contains("KHR_materials_unlit"))

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
+#include <tuple>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -29,7 +32,9 @@ class MaterialLoader {
   }
   void read_mtl_file(const std::string& reference, uint32_t line);
   void add(const MtlMaterial& material);
+  std::optional<TextureSource> source_of(const MtlMaterial& material, const MtlPicture& picture);
   uint32_t texture_of(const MtlMaterial& material);
+  void note_holes(const MtlMaterial& from, const Material& material);
   Material converted(const MtlMaterial& from);
 
   const std::string& path_;
@@ -38,10 +43,19 @@ class MaterialLoader {
   ImportReport* report_;
   Scene* scene_;
   std::map<std::string, MtlMaterial> known_;
-  std::map<std::pair<std::string, bool>, uint32_t> texture_at_;  // by resolved path and whether it is clamped
+  // By the resolved paths of its colours and its holes, and whether it is clamped.
+  std::map<std::tuple<std::string, std::string, bool>, uint32_t> texture_at_;
+  std::set<std::string> told_missing_;
   std::vector<std::string> read_;
   std::vector<TexturePlacement> placements_;
 };
+
+// The statement that says where on a polygon its texture is.
+const MtlPicture& placed_by(const MtlMaterial& material) {
+  return material.texture.file.empty() ? material.opacity : material.texture;
+}
+
+bool differ(Vec2 a, Vec2 b) { return a.x != b.x || a.y != b.y; }
 
 // Files written under Windows separate folders by backslashes.
 std::string found_path(const std::string& file, const std::string& reference) {
@@ -79,17 +93,26 @@ void MaterialLoader::add(const MtlMaterial& material) {
                  material.line);
 }
 
+std::optional<TextureSource> MaterialLoader::source_of(const MtlMaterial& material,
+                                                       const MtlPicture& picture) {
+  if (picture.file.empty()) return std::nullopt;
+  const std::string path = found_path(material.file, picture.file);
+  if (file_exists(path)) return TextureSource{path, picture.file, false, material.file, picture.line};
+  if (told_missing_.insert(path).second)
+    missing("texture " + in_quotes(path, path.size()) + " is missing", material.file, picture.line);
+  return std::nullopt;
+}
+
+// A material with holes and no texture gets a white one.
 uint32_t MaterialLoader::texture_of(const MtlMaterial& material) {
-  const std::string path = found_path(material.file, material.texture);
-  const std::pair key{path, material.texture_clamp};
+  const auto colours = source_of(material, material.texture), holes = source_of(material, material.opacity);
+  if (!colours && !holes) return kNone;
+  const std::tuple key{colours ? colours->path : "", holes ? holes->path : "", placed_by(material).clamp};
   if (const auto known = texture_at_.find(key); known != texture_at_.end()) return known->second;
-  if (!file_exists(path)) {
-    missing("texture " + in_quotes(path, path.size()) + " is missing", material.file, material.texture_line);
-    return texture_at_[key] = kNone;
-  }
-  scene_->textures.push_back(
-      load_texture({path, material.texture, false, material.file, material.texture_line}));
-  scene_->textures.back().clamp = material.texture_clamp;
+  Texture texture = colours ? load_texture(*colours) : Texture{holes->name, 1, 1, {255, 255, 255}};
+  if (holes) texture.opacity = load_opacity(*holes);
+  texture.clamp = placed_by(material).clamp;
+  scene_->textures.push_back(std::move(texture));
   return texture_at_[key] = static_cast<uint32_t>(scene_->textures.size() - 1);
 }
 
@@ -97,25 +120,37 @@ Material MaterialLoader::converted(const MtlMaterial& from) {
   Material material;
   material.name = from.name;
   material.emission = from.emission;
-  if (!from.texture.empty()) material.texture = texture_of(from);
-  const bool textured = material.texture != kNone;
+  material.texture = texture_of(from);
+  const bool textured = material.texture != kNone && !from.texture.file.empty();
   if (from.reflectance_line > 0) {
     material.reflectance = limited_reflectance(from.reflectance, from.file, from.reflectance_line, report_);
   } else if (textured) {
     material.reflectance = {kMaxReflectance, kMaxReflectance, kMaxReflectance};
   }
   if (textured && is_black(material.reflectance))
-    report_->add("map_Kd shows nothing where Kd is 0", from.file, from.texture_line);
+    report_->add("map_Kd shows nothing where Kd is 0", from.file, from.texture.line);
+  note_holes(from, material);
   for (const MtlMaterial::Ignored& ignored : from.ignored)
     report_->add(ignored.what, from.file, ignored.line);
   return material;
+}
+
+void MaterialLoader::note_holes(const MtlMaterial& from, const Material& material) {
+  if (material.texture == kNone || scene_->textures[material.texture].opacity.values.empty()) return;
+  const MtlPicture &colours = from.texture, &holes = from.opacity;
+  const uint32_t line = holes.file.empty() ? colours.line : holes.line;
+  if (!is_black(material.emission)) report_->add("a material that emits has no holes", from.file, line);
+  if (colours.file.empty() || holes.file.empty()) return;
+  if (differ(colours.scale, holes.scale) || differ(colours.offset, holes.offset) ||
+      colours.clamp != holes.clamp)
+    report_->add("map_d is placed as map_Kd is", from.file, line);
 }
 
 void MaterialLoader::make(const ObjScan::Named& wanted) {
   if (const auto found = known_.find(wanted.name); found != known_.end()) {
     const MtlMaterial& material = found->second;
     scene_->materials.push_back(converted(material));
-    placements_.push_back({material.texture_scale, material.texture_offset});
+    placements_.push_back({placed_by(material).scale, placed_by(material).offset});
     return;
   }
   placements_.emplace_back();

@@ -42,8 +42,9 @@ class MtlScanner {
   std::array<float, 3> colour(std::string_view word, std::string_view rest) const;
   float number(std::string_view word, std::string_view rest) const;
   void put_colour(std::string_view word, std::string_view rest);
-  void texture(std::string_view rest);
-  void texture_option(std::string_view option, const std::vector<std::string_view>& words);
+  MtlPicture picture(std::string_view word, std::string_view rest);
+  void picture_option(std::string_view word, std::string_view option,
+                      const std::vector<std::string_view>& words, MtlPicture* picture);
   void without_effect(std::string_view word, std::string_view rest);
   void ignore(const std::string& what) { materials_.back().ignored.push_back({what, lines_.number()}); }
 
@@ -94,24 +95,23 @@ void MtlScanner::put_colour(std::string_view word, std::string_view rest) {
   clean_.append("\n");
 }
 
-void MtlScanner::texture_option(std::string_view option, const std::vector<std::string_view>& words) {
-  MtlMaterial& material = materials_.back();
+void MtlScanner::picture_option(std::string_view word, std::string_view option,
+                                const std::vector<std::string_view>& words, MtlPicture* picture) {
   if (option == "-clamp" && !words.empty() && is_one_of(words[0], {"on", "off"})) {
-    material.texture_clamp = words[0] == "on";
+    picture->clamp = words[0] == "on";
   } else if ((option == "-s" || option == "-o") && !words.empty()) {
-    Vec2& pair = option == "-s" ? material.texture_scale : material.texture_offset;
+    Vec2& pair = option == "-s" ? picture->scale : picture->offset;
     pair.x = *number_in(words[0]);
     if (words.size() > 1) pair.y = *number_in(words[1]);
   } else {
-    ignore("map_Kd option " + std::string(option) + " is ignored");
+    ignore(std::string(word) + " option " + std::string(option) + " is ignored");
   }
 }
 
 // map_Kd [options] name. The name is all that follows the options; it may hold blanks.
-void MtlScanner::texture(std::string_view rest) {
+MtlPicture MtlScanner::picture(std::string_view statement, std::string_view rest) {
   rest = trimmed(rest);
-  MtlMaterial& material = materials_.back();
-  material.texture_scale = {1, 1}, material.texture_offset = {0, 0}, material.texture_clamp = false;
+  MtlPicture picture;
   while (rest.starts_with('-')) {
     std::string_view after = rest;
     const std::string_view word = next_word(&after);
@@ -125,12 +125,13 @@ void MtlScanner::texture(std::string_view rest) {
       if (option->words < 0 && !number_in(next_word(&behind))) break;
       words.push_back(next_word(&after));
     }
-    texture_option(word, words);
+    picture_option(statement, word, words, &picture);
     rest = trimmed(after);
   }
-  if (rest.empty()) fail_at(name_, lines_.number(), "map_Kd names no file");
-  material.texture = rest;
-  material.texture_line = lines_.number();
+  if (rest.empty()) fail_at(name_, lines_.number(), std::string(statement) + " names no file");
+  picture.file = rest;
+  picture.line = lines_.number();
+  return picture;
 }
 
 // Statements that change nothing here are named, unless their value says that there is nothing to change.
@@ -153,7 +154,9 @@ void MtlScanner::property(std::string_view word, std::string_view rest) {
     put_colour(word, rest);
     if (word == "Kd") materials_.back().reflectance_line = lines_.number();
   } else if (word == "map_Kd") {
-    texture(rest);
+    materials_.back().texture = picture(word, rest);
+  } else if (word == "map_d") {
+    materials_.back().opacity = picture(word, rest);
   } else if (word == "map_Ke") {
     ignore("map_Ke is ignored: a material emits evenly");
   } else if (word == "Ks") {
@@ -164,8 +167,6 @@ void MtlScanner::property(std::string_view word, std::string_view rest) {
     const bool halo = word == "d" && rest.find("-halo") != rest.npos;
     if (halo || (word == "d" ? number(word, rest) < 1 : number(word, rest) > 0))
       ignore(std::string(word) + " is ignored: surfaces are opaque");
-  } else if (word == "map_d") {
-    ignore("map_d is ignored: surfaces are opaque");
   } else {
     without_effect(word, rest);
   }

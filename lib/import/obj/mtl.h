@@ -9,16 +9,21 @@
 
 namespace strad {
 
+// A statement that names a picture: map_Kd or map_d.
+struct MtlPicture {
+  std::string file;  // as the statement spells it; "": none
+  uint32_t line = 0;
+  // Texture coordinates are multiplied by the scale (-s), and then moved by the offset (-o).
+  Vec2 scale{1, 1}, offset{0, 0};
+  bool clamp = false;  // -clamp on
+};
+
 struct MtlMaterial {
   std::string name, file;
   uint32_t line = 0;              // of newmtl
   uint32_t reflectance_line = 0;  // of Kd; 0: none
   Rgb reflectance, emission;
-  std::string texture;  // as map_Kd spells it; "": none
-  uint32_t texture_line = 0;
-  // Texture coordinates are multiplied by the scale (-s), and then moved by the offset (-o).
-  Vec2 texture_scale{1, 1}, texture_offset{0, 0};
-  bool texture_clamp = false;  // -clamp on
+  MtlPicture texture, opacity;
 
   struct Ignored {
     std::string what;

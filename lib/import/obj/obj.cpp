@@ -86,7 +86,7 @@ void FaceAdder::add(size_t face_number) {
     scene_->polygons.push_back(polygon);
     groups_.push_back(given ? kNone : scan_.face_groups[face_number]);
     if (scene_->materials[face.material].texture != kNone && scene_->polygons.back().uvs[0] == kNone)
-      report_->add("face of a material with map_Kd has no texture coordinates", name_, line);
+      report_->add("face of a material with a texture has no texture coordinates", name_, line);
   }
 }
 

@@ -8,7 +8,8 @@
 namespace strad {
 namespace {
 
-// What the source sends out at the time samples of some cells, by slot: [slot][time sample].
+// What the source sends out, as a mean over holes and all, at the time samples of some cells, by slot:
+// [slot][time sample].
 std::vector<Rgb> source_of_slots(const Workspace& work, const LeafSource& source, uint32_t first_cell,
                                  uint32_t cells) {
   const NodeTree& tree = work.tree;
@@ -22,14 +23,14 @@ std::vector<Rgb> source_of_slots(const Workspace& work, const LeafSource& source
       for (size_t d = 0; d < count; ++d) radiance[slot * count + d] += weight * from[d];
     };
     if (!node.is_cluster()) {
-      add(source(n, first_cell, cells), 1, node.slot);
+      add(source(n, first_cell, cells), node.coverage, node.slot);
       continue;
     }
     const Cluster& cluster = tree.cluster(node);
     for (uint32_t i = cluster.first_face; i < cluster.first_face + cluster.face_count; ++i) {
       const uint32_t face = tree.cluster_faces()[i];
       const LobeWeights w = lobes_of_normal(tree.face_normal(face));
-      const float share = static_cast<float>(tree.face_area(face)) / node.area;
+      const float share = static_cast<float>(tree.face_area(face)) * tree.face_coverage(face) / node.area;
       const std::vector<Rgb> from = source(nodes + face, first_cell, cells);
       for (int l = 0; l < 3; ++l)
         add(from, share * w.weight[l] / std::max(cluster.lobe_share[w.lobe[l]], 1e-20f),

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "base/rng.h"
+#include "scene/texture.h"
 
 namespace strad {
 namespace {
@@ -36,6 +37,10 @@ double farthest_corner(const Box& box, Vec3 from) {
 NodeTree::NodeTree(const Scene& scene, MeshBuilder* builder, bool clusters)
     : scene_(scene), builder_(*builder) {
   const std::vector<Face>& faces = builder_.mesh().faces;
+  if (std::any_of(scene.polygons.begin(), scene.polygons.end(),
+                  [&](const Polygon& polygon) { return may_have_holes(scene, polygon); }))
+    for (const Polygon& polygon : scene.polygons)
+      coverage_.push_back(static_cast<float>(coverage_of(scene, polygon)));
   node_of_face_.assign(faces.size(), kNone);
   if (!clusters) {
     for (const Face& face : faces) add_patch(face.element, kNone);
@@ -62,6 +67,10 @@ double NodeTree::face_area(uint32_t face) const {
   return polygon_area(scene_, scene_.polygons[builder_.mesh().faces[face].polygon]);
 }
 
+float NodeTree::face_coverage(uint32_t face) const {
+  return coverage_.empty() ? 1 : coverage_[builder_.mesh().faces[face].polygon];
+}
+
 uint32_t NodeTree::add_patch(uint32_t element, uint32_t parent) {
   const auto index = static_cast<uint32_t>(nodes_.size());
   Node node;
@@ -74,6 +83,7 @@ uint32_t NodeTree::add_patch(uint32_t element, uint32_t parent) {
   node.body = body_of(scene_, polygon);
   node.normal = face_normal(node.face);
   node.reflectance = scene_.materials[polygon.material].reflectance;
+  node.coverage = face_coverage(node.face);
   const PatchPoints patch = patch_points(*this, node);
   node.area = static_cast<float>(area_of(patch.corners, patch.corner_count));
   for (int i = 0; i < patch.corner_count; ++i) node.centre += patch.corners[i] / patch.corner_count;

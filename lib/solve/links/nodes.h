@@ -31,6 +31,7 @@ struct Node {
   Vec3 centre;           // rest
   Vec3 normal;           // rest, of the receiving and emitting side of a patch
   Rgb reflectance;       // of a patch; the mean of a cluster
+  float coverage = 1;    // of a patch: the share of its area that is no hole
   bool is_part = false;  // of a leaf that links reach as a whole, see divide()
 
   bool is_cluster() const { return cluster != kNone; }
@@ -81,6 +82,7 @@ class NodeTree {
 
   Vec3 face_normal(uint32_t face) const;  // rest, unit, of its side
   double face_area(uint32_t face) const;
+  float face_coverage(uint32_t face) const;  // share of its polygon that is no hole
 
  private:
   uint32_t add_patch(uint32_t element, uint32_t parent);
@@ -94,6 +96,7 @@ class NodeTree {
   std::vector<Cluster> clusters_;
   std::vector<uint32_t> cluster_faces_;
   std::vector<uint32_t> node_of_face_;
+  std::vector<float> coverage_;  // [polygon]; empty: all are whole
   size_t slot_count_ = 0;
 };
 

@@ -69,7 +69,7 @@ void Refinement::describe_new_nodes(size_t first) {
 void Refinement::describe_patch(uint32_t n) {
   const Node& node = tree_.nodes()[n];
   const size_t count = probe_samples_.size();
-  const Rgb brdf = static_cast<float>(1 / kPi) * node.reflectance;
+  const Rgb brdf = node.coverage / static_cast<float>(kPi) * node.reflectance;
   const std::vector<Rgb> own = direct_at_probes(node.element);
   for (size_t i = 0; i < count; ++i) {
     direct_[node.slot * count + i] = brdf * own[i];
@@ -96,8 +96,9 @@ void Refinement::describe_cluster(uint32_t n) {
     const Face& face = tree_.builder().mesh().faces[tree_.cluster_faces()[i]];
     const Rgb reflectance =
         tree_.scene().materials[tree_.scene().polygons[face.polygon].material].reflectance;
+    const float coverage = tree_.face_coverage(tree_.cluster_faces()[i]);
     for (const Rgb& e : direct_at_probes(face.element))
-      faces.push_back(static_cast<float>(1 / kPi) * (reflectance * e));
+      faces.push_back(coverage / static_cast<float>(kPi) * (reflectance * e));
   }
   const auto for_faces = [&](const auto& visit) {
     for (uint32_t i = 0; i < cluster.face_count; ++i) {

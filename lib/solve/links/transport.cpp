@@ -142,7 +142,7 @@ double reflect(const TransportInput& input, const std::vector<float>& scales, co
       reflect_cluster(input, node, count, e, &direct[first], &light->radiance[first], &change);
       continue;
     }
-    const Rgb brdf = static_cast<float>(1 / kPi) * node.reflectance;
+    const Rgb brdf = node.coverage / static_cast<float>(kPi) * node.reflectance;
     for (size_t j = 0; j < count; ++j)
       change.set(&light->radiance[first + j], node.area, direct[first + j] + brdf * e[j]);
   }
@@ -162,13 +162,14 @@ std::vector<ClusterReflection> reflections_of(const NodeTree& tree) {
     for (uint32_t i = cluster.first_face; i < cluster.first_face + cluster.face_count; ++i) {
       const uint32_t face = tree.cluster_faces()[i];
       const auto a = static_cast<float>(std::max(tree.face_area(face), 1e-12));
+      const float covered = a * tree.face_coverage(face);
       const Material& material = tree.scene().materials[tree.scene().polygons[faces[face].polygon].material];
       const LobeWeights w = lobes_of_normal(tree.face_normal(face));
       for (int to = 0; to < 3; ++to) {
         area[w.lobe[to]] += a * w.weight[to];
         for (int from = 0; from < 3; ++from)
           m[w.lobe[to]][w.lobe[from]] +=
-              (a * w.weight[to] * w.weight[from] / static_cast<float>(kPi)) * material.reflectance;
+              (covered * w.weight[to] * w.weight[from] / static_cast<float>(kPi)) * material.reflectance;
       }
     }
     for (int to = 0; to < kLobes; ++to)

@@ -1,5 +1,6 @@
 #include "solve/prepare/mean_reflectance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -31,7 +32,7 @@ Scene with_mean_reflectances(Scene scene) {
     if (is_new) {
       Material part = material;
       part.reflectance = part.reflectance * Rgb{mean_of(r), mean_of(g), mean_of(b)};
-      part.texture = kNone;
+      if (scene.textures[part.texture].opacity.values.empty()) part.texture = kNone;
       scene.materials.push_back(std::move(part));
     }
     polygon.material = it->second;
@@ -41,9 +42,11 @@ Scene with_mean_reflectances(Scene scene) {
     if (material.texture == kNone) continue;
     if (!is_black(material.emission))
       material.reflectance = material.reflectance * mean_colour(scene.textures[material.texture]);
-    material.texture = kNone;
+    if (scene.textures[material.texture].opacity.values.empty()) material.texture = kNone;
   }
-  scene.textures.clear();
+  const auto has_holes = [](const Texture& texture) { return !texture.opacity.values.empty(); };
+  if (std::none_of(scene.textures.begin(), scene.textures.end(), has_holes)) scene.textures.clear();
+  for (Texture& texture : scene.textures) texture.srgb = {};
   return scene;
 }
 

@@ -293,6 +293,32 @@ TEST_F(ImportGltf, MaterialsMeshesLightsAndCameras) {
   EXPECT_EQ(scene.cameras[0].keys[0].fov, 0.8);
 }
 
+// A picture of two pixels, the second with an alpha of 100 / 255. Its opacity is moved so that the limit is a
+// half.
+TEST_F(ImportGltf, AlphaGivesHolesWhereTheModeSaysSo) {
+  const std::string picture =
+      "data:image/"
+      "png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAAEUlEQVR42mPgEpH7r2FkkwIACKYCNnfm628A"
+      "AAAASUVORK5CYII=";
+  const auto opacity = [&](const std::string& mode) {
+    Gltf file;
+    file.quad();
+    file.nodes = R"([{"mesh":0}])";
+    file.materials = R"([{"name":"leaf",)" + mode +
+                     R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicFactor":0}}])";
+    file.more = R"(,"textures":[{"source":0}],"images":[{"uri":")" + picture + "\"}]";
+    const Scene scene = import(file);
+    EXPECT_EQ(scene.textures.at(0).srgb, (std::vector<uint8_t>{10, 20, 30, 40, 50, 60}));
+    return scene.textures.at(0).opacity.values;
+  };
+  EXPECT_TRUE(opacity("").empty());
+  EXPECT_EQ(opacity(R"("alphaMode":"BLEND",)"), (std::vector<uint8_t>{255, 100}));
+  EXPECT_EQ(note(0), "s.gltf:1: alphaMode BLEND is taken as holes where alpha is below a half");
+  EXPECT_EQ(opacity(R"("alphaMode":"MASK",)"), (std::vector<uint8_t>{255, 100}));
+  // 100 + 127.5 - 0.25 * 255 = 163.75
+  EXPECT_EQ(opacity(R"("alphaMode":"MASK","alphaCutoff":0.25,)"), (std::vector<uint8_t>{255, 164}));
+}
+
 TEST_F(ImportGltf, WhatCannotBeTakenIsNamed) {
   const auto with = [](const std::string& nodes, const std::string& more) {
     Gltf file;

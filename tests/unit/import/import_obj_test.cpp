@@ -182,7 +182,7 @@ TEST_F(ImportObj, reads_textures_once_and_keeps_their_coordinates) {
   EXPECT_EQ(scene.polygons[0].uvs[0], kNone);
   EXPECT_EQ(scene.polygons[3].uvs[0], kNone);
   EXPECT_EQ(note(0), "m.mtl:2: map_Kd option -bm is ignored");
-  EXPECT_EQ(note(1), "room.obj:16: face of a material with map_Kd has no texture coordinates");
+  EXPECT_EQ(note(1), "room.obj:16: face of a material with a texture has no texture coordinates");
 }
 
 TEST_F(ImportObj, places_textures_as_options_say) {
@@ -204,6 +204,31 @@ TEST_F(ImportObj, places_textures_as_options_say) {
   EXPECT_FALSE(scene.textures[scene.materials[0].texture].clamp);
   EXPECT_TRUE(scene.textures[scene.materials[1].texture].clamp);
   EXPECT_EQ(scene.materials[1].texture, scene.materials[2].texture);
+}
+
+// Two pixels, grey: what is left of a surface is its left half. They may belong to a map_Kd or stand alone.
+TEST_F(ImportObj, map_d_gives_holes) {
+  write("t.ppm", kPixels);
+  write("h.ppm", "P6\n2 1\n255\n\xff\xff\xff" + std::string(3, '\0'));
+  write("m.mtl",
+        "newmtl a\nmap_Kd t.ppm\nmap_d h.ppm\nnewmtl b\nKd 0.2 0.3 0.4\nmap_d -s 2 h.ppm\nnewmtl c\nmap_Kd "
+        "t.ppm\n"
+        "newmtl d\nKd 0 0 0\nKe 1 1 1\nmap_d h.ppm\n");
+  const std::string face = "f 1/1 2/2 3/3\n";
+  const Scene scene = import("mtllib m.mtl\n" + kSquare + "vt 0 0\nvt 1 0\nvt 1 1\nusemtl a\n" + face +
+                             "usemtl b\n" + face + "usemtl c\n" + face + "usemtl d\n" + face);
+  const auto opacity = [&](size_t m) { return scene.textures[scene.materials[m].texture].opacity.values; };
+  EXPECT_EQ(opacity(0), (std::vector<uint8_t>{255, 0}));
+  EXPECT_EQ(scene.textures[scene.materials[0].texture].srgb.size(), 6u);
+  EXPECT_EQ(opacity(1), (std::vector<uint8_t>{255, 0}));
+  EXPECT_EQ(scene.textures[scene.materials[1].texture].srgb, (std::vector<uint8_t>{255, 255, 255}));
+  EXPECT_EQ(scene.materials[1].reflectance, (Rgb{0.2f, 0.3f, 0.4f}));
+  EXPECT_EQ(scene.uvs[scene.polygons[1].uvs[1]], (Vec2{2, 0}));
+  EXPECT_TRUE(opacity(2).empty());
+  EXPECT_EQ(note(0), "m.mtl:12: a material that emits has no holes");
+  EXPECT_EQ(report_.lines().size(), 1u);
+  fs::remove(folder_ / "h.ppm");
+  EXPECT_TRUE(refusal("mtllib m.mtl\nusemtl b\n" + kSquare + "f 1 2 3\n").starts_with("m.mtl:6: texture \""));
 }
 
 TEST_F(ImportObj, names_once_what_has_no_effect) {

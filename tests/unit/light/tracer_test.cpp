@@ -132,6 +132,33 @@ TEST(Tracer, BoxesAreOfTheRestPose) {
   EXPECT_NEAR(tracer.offset(), 1e-5 * tracer.scene_box().diagonal(), 1e-12);
 }
 
+// A quad of 2 x 2 m that slides along x, whose texture has a hole where u > 1/2, and a triangle at rest below
+// it.
+TEST(Tracer, RaysPassHoles) {
+  Scene scene;
+  scene.end = 1;
+  const uint32_t body = add_body(&scene, {10, 0, 0});
+  add_polygon(&scene, {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}, body);
+  add_polygon(&scene, {{-9, -9, 0}, {99, -9, 0}, {-9, 99, 0}});
+  scene.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (uint32_t c = 0; c < 4; ++c) scene.polygons[0].uvs[c] = c;
+  scene.textures = {{"t", 1, 1, {9, 9, 9}, true, {2, 1, {255, 0}}}};
+  scene.materials[0].texture = 0;
+  validate(scene);
+  const Tracer tracer(scene);
+  for (const double time : {0.0, 0.5}) {
+    const std::vector<Pose> poses = poses_at(scene, time);
+    for (const double y : {-0.7, 0.7})  // both triangles of the quad
+      for (const double x : {-0.9, -0.1, 0.1, 0.9}) {
+        const Vec3 from{10 * time + x, y, 2}, to{10 * time + x, y, 0.5};
+        EXPECT_EQ(tracer.occluded(poses, from, to), x < 0) << x << ' ' << y;
+        EXPECT_EQ(tracer.closest(poses, from, {0, 0, -1}).polygon, x < 0 ? 0u : 1u) << x << ' ' << y;
+      }
+  }
+  scene.materials[0].emission = {1, 1, 1};  // lamps have no holes
+  EXPECT_TRUE(Tracer(scene).occluded(poses_at(scene, 0), {0.5, 0, 2}, {0.5, 0, 0.5}));
+}
+
 // Turned by any angle, a surface does not shade a point lifted off it by the offset.
 TEST(Tracer, ASurfaceDoesNotShadeItself) {
   const Scene scene = turning_scene();

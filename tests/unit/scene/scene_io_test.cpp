@@ -159,6 +159,7 @@ TEST(SceneIo, ClampedTexturesComeBackAndCostNothingWhereThereAreNone) {
   const std::vector<Chunk> encoded = encode_scene(scene);
   EXPECT_EQ(encoded.size(), chunks + 1);
   EXPECT_TRUE(decoded(encoded).textures[0].clamp);
+  EXPECT_TRUE(decoded(encoded).textures[0].opacity.values.empty());
   for (Chunk chunk : encoded) {
     if (chunk.type != chunk_type("TEXM")) continue;
     EXPECT_EQ(chunk.content, (Bytes{1, 1}));  // one texture, clamped
@@ -169,6 +170,30 @@ TEST(SceneIo, ClampedTexturesComeBackAndCostNothingWhereThereAreNone) {
       decoder.add(other.type, other.type == chunk.type ? Bytes{2, 1, 1} : other.content, "place");
     EXPECT_THROW(decoder.finish("stream"), BadInput);  // modes of two textures, but there is one
   }
+}
+
+TEST(SceneIo, HolesComeBackAndCostNothingWhereThereAreNone) {
+  Scene scene = full_scene();
+  const size_t chunks = encode_scene(scene).size();
+  scene.textures[0].opacity = {3, 1, {255, 7, 0}};
+  const std::vector<Chunk> encoded = encode_scene(scene);
+  EXPECT_EQ(encoded.size(), chunks + 1);
+  const Opacity back = decoded(encoded).textures[0].opacity;
+  EXPECT_EQ(back.width, 3u);
+  EXPECT_EQ(back.height, 1u);
+  EXPECT_EQ(back.values, scene.textures[0].opacity.values);
+  for (const Chunk& chunk : encoded) {
+    if (chunk.type != chunk_type("TEXA")) continue;
+    EXPECT_EQ(chunk.content, (Bytes{1, 3, 1, 255, 8, 249}));  // one texture; differences
+    for (const Bytes& bad : {Bytes{1, 3, 1, 255, 8}, Bytes{1, 3, 2, 1, 1, 1}, Bytes{1, 3, 1, 1, 1, 1, 1}})
+      EXPECT_THROW(SceneDecoder().add(chunk.type, bad, "place"), BadInput);
+    SceneDecoder decoder;
+    for (const Chunk& other : encoded)
+      decoder.add(other.type, other.type == chunk.type ? Bytes{2, 0, 0, 0, 0} : other.content, "place");
+    EXPECT_THROW(decoder.finish("stream"), BadInput);  // holes of two textures, but there is one
+  }
+  scene.textures[0].opacity.width = 2;
+  EXPECT_THROW(validate(scene), BadInput);
 }
 
 TEST(SceneIo, MotionComesBack) {
