@@ -5,11 +5,13 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "base/number_list.h"
 #include "frame/compare_frames.h"
 #include "frame/frame_request.h"
 #include "frame/solution_diff.h"
+#include "solution/facts.h"
 #include "stream/chunk.h"
 #include "tool.h"
 
@@ -24,6 +26,7 @@ struct DiffOptions {
   FrameFiles files;
   std::string frames;
   std::optional<double> rel_rmse, largest, flicker, jump;
+  bool json = false, each = false;
 };
 
 DiffOptions parse_options(int argc, char** argv) {
@@ -46,6 +49,8 @@ DiffOptions parse_options(int argc, char** argv) {
                   "of LABELS look at these bits only (default 255)");
   options.number("--jump", "T", &o.jump,
                  "how much the solution A jumps at T seconds, in place of a difference");
+  options.flag("--each", &o.each, "a line for each pair of pictures as well");
+  options.flag("--json", &o.json, "print one JSON object");
   options.parse(argc, argv);
   return o;
 }
@@ -62,22 +67,52 @@ Stream read_told(const Common& common, const std::string& path) {
   return stream;
 }
 
-void print(const char* name, double value) { std::printf("%s %.9g\n", name, value); }
+// What is printed: a line each, or one JSON object.
+class Report {
+ public:
+  explicit Report(const DiffOptions& options) : options_(options) {}
 
-void print_comparison(const Comparison& c) {
-  print("rel_rmse", rel_rmse(c));
-  print("bias", bias(c));
-  print("mean_a", c.mean_a);
-  print("mean_b", c.mean_b);
-  print("max", c.largest);
-}
+  void add(const char* name, double value) { facts_.push_back({name, {value}}); }
+  void add(const char* name, const std::string& text) { facts_.push_back({name, text_fact(text)}); }
+  void add_each(const std::string& file, const Comparison& c) {
+    each_.push_back({FactGroup{
+        {"file", text_fact(file)}, {"rel_rmse", {rel_rmse(c)}}, {"bias", {bias(c)}}, {"max", {c.largest}}}});
+    if (!options_.common.quiet && !options_.json)
+      std::printf("%s rel_rmse %.9g bias %.9g max %.9g\n", file.c_str(), rel_rmse(c), bias(c), c.largest);
+  }
+  void add(const Comparison& c) {
+    add("rel_rmse", rel_rmse(c));
+    add("bias", bias(c));
+    add("mean_a", c.mean_a);
+    add("mean_b", c.mean_b);
+    add("max", c.largest);
+  }
+  // Where the largest difference is: its channel and both values.
+  void add(const WorstPixel& worst) {
+    add("max_channel", std::string(1, "rgb"[worst.channel]));
+    add("max_a", worst.a);
+    add("max_b", worst.b);
+  }
+  void print() {
+    if (options_.common.quiet) return;
+    if (options_.json) {
+      if (options_.each) facts_.push_back({"each", {each_}});
+      std::fputs(to_json({facts_}).c_str(), stdout);
+      return;
+    }
+    for (const auto& [name, fact] : facts_) {
+      if (const double* number = std::get_if<double>(&fact.value))
+        std::printf("%s %.9g\n", name.c_str(), *number);
+      else
+        std::printf("%s %s\n", name.c_str(), std::get<std::string>(fact.value).c_str());
+    }
+  }
 
-// Where the largest difference is: its channel and both values.
-void print_worst(const WorstPixel& worst) {
-  std::printf("max_channel %c\n", "rgb"[worst.channel]);
-  print("max_a", worst.a);
-  print("max_b", worst.b);
-}
+ private:
+  const DiffOptions& options_;
+  FactGroup facts_;
+  FactList each_;
+};
 
 // Without any limit every difference counts.
 int verdict(const DiffOptions& o, const Comparison& c, std::optional<double> flicker = {}) {
@@ -88,45 +123,56 @@ int verdict(const DiffOptions& o, const Comparison& c, std::optional<double> fli
 }
 
 int diff_frames(const DiffOptions& o) {
+  Report report(o);
   const auto tell = [&](const std::string& file, const Comparison& c) {
+    if (o.each) report.add_each(file, c);
     char text[120];
     std::snprintf(text, sizeof text, ": rel_rmse %.4g, bias %.4g, max %.4g", rel_rmse(c), bias(c), c.largest);
     detail(o.common, file + text);
   };
   const FramesComparison c = compare_frames(o.files, tell);
   if (o.flicker && !c.flicker_b) throw BadInput("--flicker: found no three consecutive frames");
-  std::printf("frames %d\n", c.frames);
-  print_comparison(c.total);
-  std::printf("max_file %s\nmax_x %u\nmax_y %u\n", c.worst_file.c_str(), c.total.worst.x, c.total.worst.y);
-  print_worst(c.total.worst);
-  if (c.flicker_a) print("flicker_a", *c.flicker_a);
-  if (c.flicker_b) print("flicker_b", *c.flicker_b);
-  if (c.flicker_excess) print("flicker_excess", *c.flicker_excess);
+  report.add("frames", c.frames);
+  report.add(c.total);
+  report.add("max_file", c.worst_file);
+  report.add("max_x", c.total.worst.x);
+  report.add("max_y", c.total.worst.y);
+  report.add(c.total.worst);
+  if (c.flicker_a) report.add("flicker_a", *c.flicker_a);
+  if (c.flicker_b) report.add("flicker_b", *c.flicker_b);
+  if (c.flicker_excess) report.add("flicker_excess", *c.flicker_excess);
+  report.print();
   return verdict(o, c.total, c.flicker_b);
 }
 
 int diff_solutions(const DiffOptions& o) {
   if (o.flicker || !o.files.heat_map.empty() || !o.files.twin.empty() || !o.files.labels.empty() ||
-      !o.frames.empty())
-    throw BadInput(o.files.a + ": a solution, which only --rel-rmse and --max are for");
+      !o.frames.empty() || o.each)
+    throw BadInput(o.files.a + ": a solution, which only --rel-rmse, --max and --json are for");
   const Stream a = read_told(o.common, o.files.a), b = read_told(o.common, o.files.b);
   const SolutionsComparison c =
       compare_solutions({o.files.a, a.scene, *a.solution}, {o.files.b, b.scene, *b.solution});
-  print("begin", c.begin);
-  print("end", c.end);
-  print_comparison(c.total);
-  std::printf("max_object %s\n", c.object.c_str());
-  std::printf("max_at %.6g,%.6g,%.6g\n", c.rest_point.x, c.rest_point.y, c.rest_point.z);
-  print("max_time", c.time);
-  print_worst(c.total.worst);
+  Report report(o);
+  report.add("begin", c.begin);
+  report.add("end", c.end);
+  report.add(c.total);
+  report.add("max_object", c.object);
+  char at[96];
+  std::snprintf(at, sizeof at, "%.6g,%.6g,%.6g", c.rest_point.x, c.rest_point.y, c.rest_point.z);
+  report.add("max_at", std::string(at));
+  report.add("max_time", c.time);
+  report.add(c.total.worst);
+  report.print();
   return verdict(o, c.total);
 }
 
 int print_jump(const DiffOptions& o) {
   const Stream a = read_told(o.common, o.files.a);
   const Jump jump = jump_of({o.files.a, a.scene, *a.solution}, *o.jump);
-  print("jump", jump.as_solved);
-  print("jump_continuous", jump.continuous);
+  Report report(o);
+  report.add("jump", jump.as_solved);
+  report.add("jump_continuous", jump.continuous);
+  report.print();
   return 0;
 }
 

@@ -56,10 +56,14 @@ FrameTool parse_options(int argc, char** argv) {
   options.flag("--pov", &tool.pov, "write files for POV-Ray in place of pictures");
   options.flag("--ply", &tool.ply, "write PLY meshes with light at their vertices in place of pictures");
   options.output("write files; for several frames a pattern such as frame.%04d.exr");
+  options.flag("--missing", &request.missing,
+               "only frames whose files are absent, damaged or of another stream (EXR and PNG)");
+  options.text("--stats", "FILE", &tool.stats, "write what the frames cost to FILE, as JSON");
   options.jobs();
   options.file("STREAM", &request.stream, "the stream; standard input when absent or -");
   // A frame has the same bytes whichever frames are made with it, and from wherever the stream comes.
-  for (const char* name : {"-f", "--frames", "-t", "--time"}) options.unrecorded(name, true);
+  for (const char* name : {"-f", "--frames", "-t", "--time", "--stats"}) options.unrecorded(name, true);
+  options.unrecorded("--missing", false);
   options.parse(argc, argv);
   const PictureSize pixels = parse_size("--size", size);
   request.raster.width = pixels.width;
@@ -81,8 +85,10 @@ FrameTool parse_options(int argc, char** argv) {
   return tool;
 }
 
-int write_frames(const FrameTool& tool) {
+int write_frames(FrameTool tool) {
   refuse_terminal(tool.request.output);
+  std::vector<FrameCost> costs;
+  tool.request.told = [&](const FrameCost& cost) { costs.push_back(cost); };
   const auto progress = progress_on_stderr(tool.common);
   if (tool.pov) {
     write_pov(tool.request, progress);
@@ -100,6 +106,7 @@ int write_frames(const FrameTool& tool) {
     const double exposure = write_pictures(tool.request, progress);
     if (tool.request.auto_exposure) detail(tool.common, "exposure " + std::to_string(exposure));
   }
+  if (!tool.stats.empty()) write_text_file(tool.stats, costs_as_json(costs));
   return 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "frame/layered_frame.h"
+#include "image/files.h"
 #include "tool_words.h"
 
 namespace strad {
@@ -51,6 +52,18 @@ void check_layers(const FrameTool& tool) {
   if (tool.layers.empty()) return;
   require_solution_pictures(tool, "--layers");
   require_layer_files(tool.request.output, tool.request.layers);
+}
+
+// Only these formats say what a file shows.
+void check_missing(const FrameTool& tool) {
+  if (tool.pov || tool.ply) {
+    if (tool.request.missing || !tool.stats.empty())
+      throw BadInput("--missing and --stats: for pictures, without --pov and --ply");
+    return;
+  }
+  const std::string format = format_of(tool.request.output);
+  if (tool.request.missing && format != "exr" && format != "png")
+    throw BadInput("--missing: expected -o PATTERN of EXR or PNG files, such as -o 'frame.%04d.exr'");
 }
 
 void check_preview(const FrameTool& tool) {
@@ -105,6 +118,7 @@ void check(const FrameTool& tool) {
     throw BadInput("--pov: expected -o PATTERN, such as -o 'frame.%04d.inc'");
   check_encoding(tool);
   check_layers(tool);
+  check_missing(tool);
 }
 
 }  // namespace strad

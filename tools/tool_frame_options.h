@@ -15,7 +15,7 @@ struct FrameTool {
   FrameRequest request;
   bool pov = false, ply = false, preview = false, plan = false;
   std::optional<int> reference, seed;
-  std::string show, exposure, layers;
+  std::string show, exposure, layers, stats;
   std::optional<double> within;
   EncodingWords encoding;
 };

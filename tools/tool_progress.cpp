@@ -44,10 +44,13 @@ class Bar {
   bool drawn_ = false;
 };
 
-// A line for each step that has ended.
+// Without -v and without a terminal, in the log of a job, the steps that took as long as this are told.
+constexpr double kLongStep = 5;  // s
+
+// A line for each step that has ended and took at least so many seconds.
 class StepLines {
  public:
-  explicit StepLines(const Common& common) : common_(common) {}
+  StepLines(const Common& common, double least) : common_(common), least_(least) {}
   ~StepLines() {
     if (std::uncaught_exceptions() == 0) end_step();
   }
@@ -65,13 +68,15 @@ class StepLines {
  private:
   void end_step() const {
     if (step_.empty()) return;
+    const double took = std::chrono::duration<double>(Clock::now() - begin_).count();
+    if (took < least_) return;
     char seconds[32];
-    std::snprintf(seconds, sizeof seconds, ": %.2f s",
-                  std::chrono::duration<double>(Clock::now() - begin_).count());
+    std::snprintf(seconds, sizeof seconds, ": %.2f s", took);
     note(common_, step_ + seconds);
   }
 
   const Common common_;
+  const double least_;
   std::mutex mutex_;
   std::string step_;
   Clock::time_point begin_;
@@ -81,11 +86,12 @@ class StepLines {
 
 Progress progress_on_stderr(const Common& common) {
   if (common.quiet) return {};
-  if (common.verbose) {
-    return
-        [lines = std::make_shared<StepLines>(common)](double, const std::string& step) { lines->tell(step); };
+  if (common.verbose || ::isatty(STDERR_FILENO) != 1) {
+    const double least = common.verbose ? 0 : kLongStep;
+    return [lines = std::make_shared<StepLines>(common, least)](double, const std::string& step) {
+      lines->tell(step);
+    };
   }
-  if (::isatty(STDERR_FILENO) != 1) return {};
   return [bar = std::make_shared<Bar>()](double fraction, const std::string& step) {
     bar->draw(fraction, step);
   };

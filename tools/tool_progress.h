@@ -7,8 +7,8 @@
 namespace strad {
 
 // Nothing with -q. With -v a line "TEXT: SECONDS s" when a step ends, that is when the text changes or the
-// last copy is destroyed. Else a bar for work longer than a second, only on a terminal. Copies share one
-// state; thread-safe.
+// last copy is destroyed. Else a bar for work longer than a second on a terminal, and where there is none a
+// line for each step that took long. Copies share one state; thread-safe.
 //   solve(scene, options, &stats, progress_on_stderr(common));
 Progress progress_on_stderr(const Common& common);
 

@@ -1,5 +1,7 @@
 #include "frame/write_pictures.h"
 
+#include <chrono>
+#include <ctime>
 #include <functional>
 #include <optional>
 
@@ -36,6 +38,7 @@ class PictureOutput {
   void commit() {
     if (pipe_) pipe_->commit();
   }
+  const std::optional<FilePattern>& pattern() const { return pattern_; }
 
  private:
   const FrameRequest& request_;
@@ -43,18 +46,41 @@ class PictureOutput {
   std::optional<Output> pipe_;
 };
 
+double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double wall_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+using MakeFrame = std::function<void(FrameTime, const PictureFacts&)>;
+
+// Makes each frame, or only those whose files are missing, and tells what it cost. `pattern`: of the files,
+// if frames go to files.
+void make_each(const FrameRequest& request, const Scene& scene, const std::vector<FrameTime>& frames,
+               const std::optional<FilePattern>& pattern, const Camera& camera, double exposure,
+               const Progress& progress, const MakeFrame& make) {
+  const std::string stream = pattern ? fingerprint_of(scene) : "";
+  for (size_t i = 0; i < frames.size(); ++i) {
+    report_frame(progress, i, frames.size(), frames[i].number);
+    const double wall = wall_now(), cpu = cpu_now();
+    const PictureFacts facts = facts_of(request, scene, stream, camera, frames[i], exposure);
+    const bool kept = request.missing && shows(pattern->name(frames[i].number), facts);
+    if (!kept) make(frames[i], facts);
+    if (request.told) request.told({frames[i].number, kept, wall_now() - wall, cpu_now() - cpu});
+  }
+}
+
 // Renders each frame, scales it by 2^exposure and writes it.
 void write_each(const FrameRequest& request, const Scene& scene, TimeRange range, double exposure,
                 const Progress& progress, const Camera& camera,
                 const std::function<Image(const Camera&, double time)>& render) {
   const std::vector<FrameTime> frames = requested_frames(request, scene, range);
   PictureOutput output(request, frames);
-  for (size_t i = 0; i < frames.size(); ++i) {
-    report_frame(progress, i, frames.size(), frames[i].number);
-    Image image = render(camera, frames[i].time);
-    expose(&image, exposure);
-    output.write(frames[i].number, image, facts_of(request, scene, camera, frames[i], exposure));
-  }
+  make_each(request, scene, frames, output.pattern(), camera, exposure, progress,
+            [&](FrameTime frame, const PictureFacts& facts) {
+              Image image = render(camera, frame.time);
+              expose(&image, exposure);
+              output.write(frame.number, image, facts);
+            });
   output.commit();
 }
 
@@ -66,11 +92,11 @@ void write_each_layered(const FrameRequest& request, const Scene& scene, TimeRan
   const Camera camera = requested_camera(request, scene);
   const FilePattern pattern = output_pattern(request, frames.size());
   require_image_format(pattern.name(frames.front().number));
-  for (size_t i = 0; i < frames.size(); ++i) {
-    report_frame(progress, i, frames.size(), frames[i].number);
-    save_layered_frame(pattern.name(frames[i].number), render(camera, frames[i].time), request.layers,
-                       request.encoding, facts_of(request, scene, camera, frames[i], exposure));
-  }
+  make_each(request, scene, frames, pattern, camera, exposure, progress,
+            [&](FrameTime frame, const PictureFacts& facts) {
+              save_layered_frame(pattern.name(frame.number), render(camera, frame.time), request.layers,
+                                 request.encoding, facts);
+            });
 }
 
 }  // namespace

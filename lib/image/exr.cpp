@@ -48,6 +48,7 @@ void add_facts(Imf::Header* header, const PictureFacts& facts) {
   Imf::addChromaticities(*header, Imf::Chromaticities());  // Rec. 709 is the default of OpenEXR
   add_text(header, "software", facts.software);
   add_text(header, "provenance", facts.provenance);
+  add_text(header, "stream", facts.stream);
   if (facts.rate) Imf::addFramesPerSecond(*header, Imf::guessExactFps(*facts.rate));
   if (facts.screen_width) header->screenWindowWidth() = static_cast<float>(*facts.screen_width);
   if (facts.camera_from_world) Imf::addWorldToCamera(*header, matrix_of(*facts.camera_from_world));

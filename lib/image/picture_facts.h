@@ -13,6 +13,7 @@ using Matrix44 = std::array<double, 16>;
 struct PictureFacts {
   std::string software;    // name and version
   std::string provenance;  // a line for each tool that the picture went through
+  std::string stream;      // a fingerprint of the scene and of how it was solved
   std::optional<int> frame;
   double time = 0;                            // s
   std::optional<double> rate;                 // frames per second

@@ -32,6 +32,7 @@ std::vector<Entry> entries_of(const PictureFacts& facts) {
   };
   add("Software", facts.software);
   add("Comment", facts.provenance);
+  add("stream", facts.stream);
   if (!facts.frame) return entries;
   add("frame", std::to_string(*facts.frame));
   add("time", shortest(facts.time));

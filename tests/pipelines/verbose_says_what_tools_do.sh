@@ -11,6 +11,7 @@ says() {  # says PATTERN TOOL...: each line begins with the tool's name, one mat
   if grep -v "^$1: " err; then exit 1; fi
   "$@" -q -v >quiet_out 2>err
   test ! -s err
+  if [ "$1" = strad-diff ]; then : >out; fi # which with -q tells by its exit status alone
   cmp out quiet_out
 }
 says '.*[0-9]+ polygons, .*materials' strad-import $scene.obj -o scene
