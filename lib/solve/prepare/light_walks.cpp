@@ -25,6 +25,12 @@ size_t choice_of(uint64_t seed, size_t count) {
   return static_cast<size_t>(unit_from(seed) * static_cast<double>(count));
 }
 
+bool contains(const Box& box, Vec3 point) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(box.lower[axis] <= point[axis] && point[axis] <= box.upper[axis])) return false;
+  return true;
+}
+
 Vec3 random_point(const Scene& scene, const Polygon& polygon, uint64_t seed) {
   double u = unit_from(mix64(seed)), v = unit_from(mix64(seed + 1));
   if (polygon.corner_count() == 3 && u + v > 1) u = 1 - u, v = 1 - v;
@@ -127,21 +133,26 @@ uint32_t LightWalks::side_seen_from(uint32_t side, uint64_t key) const {
   return hit.polygon == kNone ? kNone : 2 * hit.polygon + (hit.front ? 0 : 1);
 }
 
-bool LightWalks::finds_light(uint32_t side, uint64_t key) const {
-  if (!has_lights()) return false;
+LightWalks::Found LightWalks::find_light(uint32_t side, const Box& home, const std::vector<bool>& lit,
+                                         uint64_t key) const {
+  if (!has_lights()) return Found::kNothing;
   const uint64_t seed = hash_of(side, key, 13);
   const size_t i = choice_of(seed, instants_.size());
+  const Pose back = inverse(instants_[i].world_from_body[body_of(scene_, scene_.polygons[side / 2])]);
   Place place = on_side(instants_[i], side, seed + 1);
+  Found found = Found::kNothing;
   for (int b = 0; b < kBounces; ++b) {
     const uint64_t step = hash_of(seed, static_cast<uint64_t>(b));
-    if (sees_lamp(instants_[i], place, step) || sees_met_place(i, place, step + 5)) return true;
+    if (sees_lamp(instants_[i], place, step) || sees_met_place(i, place, step + 5)) return Found::kLight;
     const SurfaceHit hit =
         tracer_.closest(instants_[i].world_from_body, place.position, cosine_about(place.normal, step + 7));
-    if (hit.polygon == kNone) return false;
-    if (hit.front && emits(scene_, scene_.polygons[hit.polygon])) return true;
+    if (hit.polygon == kNone) return Found::kWayOut;
+    if (hit.front && emits(scene_, scene_.polygons[hit.polygon])) return Found::kLight;
     place = place_of(instants_[i], hit);
+    if (lit[2 * hit.polygon + (hit.front ? 0 : 1)] && !contains(home, back * place.position))
+      found = Found::kWayOut;
   }
-  return false;
+  return found;
 }
 
 }  // namespace strad

@@ -19,8 +19,11 @@ class LightWalks {
   bool has_lights() const { return !emitters_.empty() || !scene_.spots.empty(); }
   // By side of a polygon (2 * polygon + side): how often the walks met it.
   const std::vector<uint32_t>& hits() const { return hits_; }
-  // Does walk `key` back from a point of a side find light: a lamp, or a point that a walk forth has met?
-  bool finds_light(uint32_t side, uint64_t key) const;
+  // What walk `key` back from a point of a side finds: light (a lamp, or a point that a walk forth has met),
+  // or at least a way out: to the open, or to a side of `lit` outside of `home`, a box at rest of the side's
+  // body.
+  enum class Found { kNothing, kWayOut, kLight };
+  Found find_light(uint32_t side, const Box& home, const std::vector<bool>& lit, uint64_t key) const;
   // The side that ray `key` from a point of a side meets; kNone: none.
   uint32_t side_seen_from(uint32_t side, uint64_t key) const;
 

@@ -17,7 +17,16 @@ constexpr uint32_t kTimes = 64;
 // So many hits cannot all have slipped through the cracks between polygons that should touch.
 constexpr uint32_t kEnoughHits = 64;
 constexpr uint64_t kCoverRays = 4096;  // of a side: if all meet dark surfaces, something stands on it
-constexpr uint32_t kRounds[] = {64, 512, 4096};  // walks back, until one finds light
+// Walks back, until one finds light. A surface that is less than kSmall of all area takes a further round
+// only if so many walks have found a way out. Others are hollow things that stand on something: what they may
+// get through cracks that fine does not show, and there may be thousands of them.
+struct Round {
+  uint32_t walks;
+  int ways_out;  // of the walks before
+};
+constexpr Round kRounds[] = {{64, 0}, {512, 1}, {4096, 8}};
+constexpr double kSmall = 1e-3;
+constexpr double kSlack = 0.01;  // of the diagonal of a surface's box, by which it is grown to tell ways out
 
 std::vector<Instant> instants_over(const Scene& scene, const TimeGrid& grid) {
   std::vector<Instant> instants;
@@ -96,21 +105,34 @@ std::vector<char> surely_dark(const Scene& scene, const ConnectedSurfaces& surfa
   return dark;
 }
 
-// Do walks back from points spread over a surface by area find light?
+Box grown(Box box) {
+  const double by = kSlack * box.diagonal();
+  return {box.lower - Vec3{by, by, by}, box.upper + Vec3{by, by, by}};
+}
+
+// Do walks back from points spread over a surface by area find light? `lit`: the sides of which that is
+// known; `all_area`: m^2, of all sides.
 bool finds_light(const Scene& scene, const ConnectedSurfaces& surfaces, uint32_t surface,
-                 const LightWalks& walks) {
+                 const LightWalks& walks, const std::vector<bool>& lit, double all_area) {
   std::vector<double> up_to;
   double area = 0;
-  for (const uint32_t* side = surfaces.begin(surface); side != surfaces.end(surface); ++side)
+  const uint32_t *begin = surfaces.begin(surface), *end = surfaces.end(surface);
+  for (const uint32_t* side = begin; side != end; ++side)
     up_to.push_back(area += polygon_area(scene, scene.polygons[*side / 2]));
+  const Box home = grown(box_of(scene, begin, end));
+  int ways_out = 0;
   uint32_t key = 0;
-  for (const uint32_t round : kRounds)
+  for (const auto& [round, needed] : kRounds) {
+    if (area < kSmall * all_area && ways_out < needed) return false;
     for (uint32_t i = 0; i < round; ++i, ++key) {
       // Strata of the area: each round covers all of the surface.
       const double target = area * (i + unit_from(hash_of(surface, key, 17))) / round;
       const auto chosen = std::upper_bound(up_to.begin(), up_to.end() - 1, target);
-      if (walks.finds_light(surfaces.begin(surface)[chosen - up_to.begin()], key)) return true;
+      const LightWalks::Found found = walks.find_light(begin[chosen - up_to.begin()], home, lit, key);
+      if (found == LightWalks::Found::kLight) return true;
+      ways_out += found == LightWalks::Found::kWayOut;
     }
+  }
   return false;
 }
 
@@ -123,16 +145,23 @@ std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const 
   const LightWalks walks(scene, tracer, instants);
   const std::vector<char> dark = surely_dark(scene, surfaces, instants);
   const auto is_known_dark = [&](uint32_t side) { return !known_dark.empty() && known_dark[side]; };
+  double all_area = 0;
+  for (const Polygon& polygon : scene.polygons) all_area += 2 * polygon_area(scene, polygon);
+  std::vector<uint64_t> hits(surfaces.count());
+  for (uint32_t side = 0; side < walks.hits().size(); ++side)
+    hits[surfaces.surface_of(side)] += walks.hits()[side];
+  std::vector<bool> lit(2 * scene.polygons.size());
+  for (uint32_t side = 0; side < lit.size(); ++side) {
+    const uint32_t s = surfaces.surface_of(side);
+    lit[side] = !dark[s] && hits[s] >= kEnoughHits;
+  }
   std::vector<char> is_reached(surfaces.count(), 0);
   parallel_for(surfaces.count(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const auto s = static_cast<uint32_t>(i);
       if (dark[s] || !walks.has_lights()) continue;
       if (std::all_of(surfaces.begin(s), surfaces.end(s), is_known_dark)) continue;
-      uint64_t hits = 0;
-      for (const uint32_t* side = surfaces.begin(s); side != surfaces.end(s); ++side)
-        hits += walks.hits()[*side];
-      is_reached[s] = hits >= kEnoughHits || finds_light(scene, surfaces, s, walks);
+      is_reached[s] = hits[s] >= kEnoughHits || finds_light(scene, surfaces, s, walks, lit, all_area);
     }
   });
   const auto on_reached = [&](uint32_t side) { return is_reached[surfaces.surface_of(side)] != 0; };
