@@ -233,6 +233,9 @@ std::shared_ptr<const PovImage> PovSceneReader::image_block() {
     } else if (const auto known = in_.named<std::string>()) {
       image->name = *known;
     } else if (!in_.take_if(",") && in_.peek().kind == PovKind::kWord) {
+      if (in_.next_is("filter") || in_.next_is("transmit"))
+        report_->add("filter and transmit of image_map are ignored: holes are where its alpha says so",
+                     image->place.file, image->place.line);
       in_.take();  // the type, or interpolate
       if (in_.next_is("{")) in_.skip_block();
       if (in_.expression_is_next()) in_.numbers();

@@ -30,6 +30,15 @@ void expect_near(Rgb a, Rgb b) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 1e-6);
 }
 
+// The picture's mean, half of red; that it would be clear is told.
+TEST_F(ImportPovLooks, transparency_of_pictures_is_told) {
+  write("p.ppm", "P6\n2 1\n255\n\xff" + std::string(5, '\0'));
+  expect_near(reflectance("pigment { image_map { ppm \"p.ppm\" } }"), {0.5f, 0, 0});
+  EXPECT_FALSE(noted("filter and transmit of image_map are ignored: holes are where its alpha says so"));
+  reflectance("pigment { image_map { ppm \"p.ppm\" transmit all 0.5 } }");
+  EXPECT_TRUE(noted("filter and transmit of image_map are ignored: holes are where its alpha says so"));
+}
+
 TEST_F(ImportPovLooks, patterns_have_their_mean_colour) {
   expect_near(reflectance("pigment { checker rgb <.2, 0, 0>, rgb <.4, .6, 0> }"), {0.3f, 0.3f, 0});
   EXPECT_TRUE(noted("pigment checker is taken as its mean colour"));
