@@ -11,12 +11,17 @@
 namespace strad {
 namespace {
 
+double longest_side(const Box& box) {
+  const Vec3 size = box.upper - box.lower;
+  return std::max({size.x, size.y, size.z});
+}
+
 // Values at the corners of a grid. Those on the rim count as outside, so that the surface is closed.
 class Grid {
  public:
   Grid(const PovField& field, const Box& box, int cells) : field_(field), box_(box) {
     const Vec3 size = box.upper - box.lower;
-    const double cell = std::max({size.x, size.y, size.z}) / cells;
+    const double cell = longest_side(box) / cells;
     for (int axis = 0; axis < 3; ++axis)
       counts_[static_cast<size_t>(axis)] = std::max(2, static_cast<int>(std::ceil(size[axis] / cell))) + 1;
     values_.resize(static_cast<size_t>(counts_[0]) * static_cast<size_t>(counts_[1]) *
@@ -143,8 +148,7 @@ class Nets {
 
 PovObject pov_implicit(const PovField& field, const Box& box, int cells) {
   // A rim of a cell around what is asked for.
-  const double margin =
-      std::max({box.upper.x - box.lower.x, box.upper.y - box.lower.y, box.upper.z - box.lower.z}) / cells;
+  const double margin = longest_side(box) / cells;
   Box wider = box;
   wider.add(box.lower - Vec3{margin, margin, margin});
   wider.add(box.upper + Vec3{margin, margin, margin});
@@ -154,6 +158,7 @@ PovObject pov_implicit(const PovField& field, const Box& box, int cells) {
       beyond = std::max({beyond, box.lower[axis] - p[axis], p[axis] - box.upper[axis]});
     return beyond > 0 ? beyond : std::max(field(p), beyond);
   };
+  if (!(longest_side(wider) > 0)) return {};  // a point
   const PovField inside = bounded;
   const Grid grid(inside, wider, cells + 2);
   return Nets(grid).object();

@@ -21,6 +21,7 @@ class Coins : public PovStatements {
   explicit Coins(const std::string& path) : in(options, run, &files, &report, this) {
     run.most_steps = 200'000;  // for speed
     run.most_words = 2'000'000;
+    run.most_bytes = 50'000'000;
     in.open(path);
   }
 
@@ -137,9 +138,15 @@ TEST_F(ImportPovLanguage, WhatGrowsWithoutEndIsRefused) {
       {"#macro A() A() A() #end A()", "nested too deep"},
       {"#declare S = \"x\"; #for (I, 1, 16) #declare S = concat(S, S); #end #declare P = array[1000][100];"
        "#for (I, 0, 999) #for (J, 0, 99) #declare P[I][J] = S; #end #end",
-       "more than 2 GB"},
-      {"#for (I, 1, 1e6) #local P = array[1e8]; #end", "more than 2 GB"},
+       "more than 50 MB"},
+      {"#for (I, 1, 1e6) #local P = array[1e8]; #end", "more than 50 MB"},
+      {"#declare P = array[1e6];", "more than 50 MB"},
       {"#while (1) #end", "turns of loops"},
+      {"#declare F = function(x) { x } #for (I, 1, 1e6) #declare F = function(x) { F(x) } #end",
+       "within each other too deep"},
+      {"#declare A = array[1]; #for (I, 1, 1e6) #declare B = array[1]; #declare B[0] = A; #declare A = B; "
+       "#end",
+       "within each other too deep"},
       {"#macro W() #if (0) " + std::string(200, '+') + " #end #end #for (I, 1, 1e5) W() #end", "words"},
       {"#declare R = seed(1e30);", "too large"},
       {"#declare R = seed(1); #declare X = rand(1e30);", "too large"}};

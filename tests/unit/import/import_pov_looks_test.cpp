@@ -164,6 +164,30 @@ TEST_F(ImportPovLooks, what_a_scene_writes_it_can_read_again) {
             std::string::npos);
 }
 
+TEST_F(ImportPovLooks, a_macro_can_close_or_empty_the_file_in_use) {
+  EXPECT_NE(refusal("#fopen F \"own.txt\" write\n#write (F, \"1, 2\")\n#fclose F\n#fopen F \"own.txt\" read\n"
+                    "#declare A = array[2];\n#macro M() #fclose F 1 #end\n#read (F, A[M()], A[0])")
+                .find("the file F has been closed while it is read"),
+            std::string::npos);
+  expect_near(value("#macro M() #fopen G \"own.txt\" write 7 #end\n#fopen F \"own.txt\" write\n"
+                    "#write (F, \"12345678\", M())\n#fclose F\n#fopen F \"own.txt\" read\n#read (F, A)",
+                    "A"),
+              {7, 7, 7});
+}
+
+// An element that is an array is a copy, as in POV-Ray: no array holds itself.
+TEST_F(ImportPovLooks, an_array_in_itself_is_a_copy) {
+  expect_near(value("#declare A = array[1] { 5 }\n#declare A[0] = A;", "A[0][0]"), {5, 5, 5});
+}
+
+// A function of 900 functions within each other: each adds 1.
+TEST_F(ImportPovLooks, functions_call_each_other) {
+  expect_near(value("#declare F = function(x) { x }\n"
+                    "#for (I, 1, 900) #declare F = function(x) { F(x) + 1 } #end",
+                    "F(2)"),
+              {902, 902, 902});
+}
+
 TEST_F(ImportPovLooks, functions_are_those_of_pov_ray) {
   // As POV-Ray 3.7 prints them, at <1, .2, -.7>.
   const std::string at = "(1, .2, -.7", functions = "#include \"functions.inc\"\n";

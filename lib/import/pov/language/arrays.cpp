@@ -86,12 +86,34 @@ void PovInterpreter::fill_array(PovArray* array, size_t dimension, size_t* next)
     if (dimension + 1 < array->sizes.size()) {
       fill_array(array, dimension + 1, next);
     } else {
-      array->items.push_back(value());
+      array->items.push_back(item_for(array));
       ++*next;
     }
     skip_comma();
   }
   expect("}");
+}
+
+// What a name or an element is given: a copy of an array that has a name, where macros get the array itself.
+PovValue PovInterpreter::kept(PovValue value) {
+  if (const auto* array = std::get_if<std::shared_ptr<PovArray>>(&value); array && array->use_count() > 1) {
+    charge((*array)->items.size() * sizeof((*array)->items[0]));
+    value = std::make_shared<PovArray>(**array);
+  }
+  return value;
+}
+
+PovValue PovInterpreter::item_for(PovArray* array) {
+  PovValue item = kept(value());
+  enclose(item, &array->depth);
+  return item;
+}
+
+// Values within values are freed, and functions within functions run, by calls within calls: their depth has
+// an end.
+void PovInterpreter::enclose(const PovValue& value, size_t* depth) {
+  *depth = std::max(*depth, 1 + depth_of(value));
+  if (*depth > kMaxValueDepth) fail("arrays or functions are within each other too deep");
 }
 
 void PovInterpreter::declare_element(const std::string& name) {
@@ -100,7 +122,7 @@ void PovInterpreter::declare_element(const std::string& name) {
   const auto array = std::get<std::shared_ptr<PovArray>>(*known);
   const size_t index = indices_into(*array, name);
   expect("=");
-  array->items[index] = value();
+  array->items[index] = item_for(array.get());
   if (next_is_plainly(";")) take();
 }
 

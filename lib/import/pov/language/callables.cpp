@@ -40,8 +40,10 @@ PovFunction PovInterpreter::function_value() {
     if (token.kind == PovKind::kEnd) fail("a function is not closed, expected }");
     if (token.kind == PovKind::kSymbol) depth += token.text == "{" ? 1 : token.text == "}" ? -1 : 0;
     if (token.kind == PovKind::kWord)
-      if (const PovValue* known = find(token.text))
+      if (const PovValue* known = find(token.text)) {
+        enclose(*known, &names->depth);
         names->values.insert_or_assign(std::string(token.text), *known);
+      }
     ++here().next;
   } while (depth > 0);
   made.names = std::move(names);

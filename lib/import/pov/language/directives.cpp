@@ -70,12 +70,7 @@ void PovInterpreter::obey_declare(bool local) {
   if (next_is("[")) return declare_element(name);
   const size_t level = cursors_.size();  // a macro that gives the value has not ended when its value has
   expect("=");
-  PovValue declared = value();
-  if (const auto* array = std::get_if<std::shared_ptr<PovArray>>(&declared);
-      array && array->use_count() > 1) {  // a copy of one that has a name, where macros get the array itself
-    charge((*array)->items.size() * sizeof((*array)->items[0]));
-    declared = std::make_shared<PovArray>(**array);
-  }
+  PovValue declared = kept(value());
   if (auto* thing = std::get_if<std::any>(&declared)) statements_->name_declared(name, thing);
   declare(name, std::move(declared), local, level);
   if (next_is_plainly(";")) take();

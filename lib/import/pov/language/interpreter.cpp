@@ -165,9 +165,10 @@ void PovInterpreter::declare(const std::string& name, PovValue value, bool local
 }
 
 void PovInterpreter::charge(size_t bytes) {
-  constexpr size_t kMost = 2'000'000'000;
-  made_ += std::min(bytes, kMost);
-  if (made_ > kMost) fail("the file makes more than 2 GB of strings, arrays and objects");
+  if (bytes > run_.most_bytes - made_)
+    fail("the file makes more than " + std::to_string(run_.most_bytes / 1'000'000) +
+         " MB of strings, arrays and objects");
+  made_ += bytes;
 }
 
 }  // namespace strad

@@ -92,7 +92,8 @@ class PovInterpreter {
  private:
   static constexpr size_t kNowhere = ~size_t{0};
   static constexpr int kMaxDepth = 250;
-  static constexpr size_t kMaxNesting = 100;  // of includes and macros
+  static constexpr size_t kMaxNesting = 100;      // of includes and macros
+  static constexpr size_t kMaxValueDepth = 1000;  // of arrays and functions within each other
   struct Block {
     enum Kind { kIf, kWhile, kFor, kSwitch, kMacro } kind;
     size_t start = 0;  // the first token of a loop's body or condition
@@ -147,6 +148,9 @@ class PovInterpreter {
   size_t indices_into(const PovArray& array, const std::string& name);
   PovValue array_value();
   void fill_array(PovArray* array, size_t dimension, size_t* next);
+  PovValue kept(PovValue value);
+  PovValue item_for(PovArray* array);
+  void enclose(const PovValue& value, size_t* depth);
 
   std::optional<PovNumbers> constant(std::string_view word);
   PovNumbers logical();

@@ -126,8 +126,7 @@ PovValue PovInterpreter::value_in(OpenFile* from, const std::string& name) {
 void PovInterpreter::obey_read() {
   expect("(");
   const std::string name(raw().text);
-  const auto open = open_files_.find(name);
-  if (open == open_files_.end())
+  if (!open_files_.contains(name))
     fail("found " + in_quotes(name) + ", expected a file that #fopen has opened");
   ++here().next;
   take_if(",");
@@ -135,6 +134,9 @@ void PovInterpreter::obey_read() {
     if (raw().kind != PovKind::kWord) fail_expected("the name of a variable");
     const std::string variable(raw().text);
     ++here().next;
+    // Sought again for each value: a macro in an index can close the file.
+    const auto open = open_files_.find(name);
+    if (open == open_files_.end()) fail("the file " + name + " has been closed while it is read");
     PovValue read = value_in(&open->second, name);
     if (next_is("[")) {
       const PovValue* known = find(variable);
@@ -157,14 +159,15 @@ void PovInterpreter::obey_write() {
   if (open == open_files_.end() || open->second.written.empty())
     fail("found " + in_quotes(name) + ", expected a file that #fopen has opened for writing");
   std::string& text = written_[open->second.written];
-  const size_t before = text.size();
   ++here().next;
   take_if(",");
   while (!take_if(")")) {
-    text += string_is_next() ? unescaped(string()) : written_numbers(numbers());
+    // A macro in a value can empty the file, so each part is counted by itself.
+    const std::string part = string_is_next() ? unescaped(string()) : written_numbers(numbers());
+    charge(part.size());
+    text += part;
     skip_comma();
   }
-  charge(text.size() - before);
 }
 
 }  // namespace strad

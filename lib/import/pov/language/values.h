@@ -92,11 +92,20 @@ using PovValue = std::variant<PovIgnored, PovNumbers, std::string, std::shared_p
 struct PovArray {
   std::vector<size_t> sizes;                   // of each dimension
   std::vector<std::optional<PovValue>> items;  // the last index runs fastest
+  size_t depth = 1;                            // of arrays and functions within each other
 };
 
 struct PovBindings {
   std::map<std::string, PovValue, std::less<>> values;
+  size_t depth = 1;  // as of an array
 };
+
+// How deep arrays and functions are within each other in the value: 0 if it is neither.
+inline size_t depth_of(const PovValue& value) {
+  if (const auto* array = std::get_if<std::shared_ptr<PovArray>>(&value)) return (*array)->depth;
+  const auto* function = std::get_if<PovFunction>(&value);
+  return function && function->names ? function->names->depth : 0;
+}
 
 template <typename T, typename... Kinds>
 constexpr bool is_kind_of(const std::variant<Kinds...>*) {
