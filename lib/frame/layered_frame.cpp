@@ -67,6 +67,13 @@ void require_layer_files(const std::string& path, const std::vector<LayerKind>& 
       throw BadInput(std::string("--layers: found ") + word_of(kind) + ", expected EXR files for it");
 }
 
+std::vector<std::string> layer_files(const std::string& path, const std::vector<LayerKind>& kinds) {
+  if (kinds.size() == 1 || format_of(path) == "exr") return {path};
+  std::vector<std::string> files;
+  for (const LayerKind kind : kinds) files.push_back(layer_path(path, word_of(kind)));
+  return files;
+}
+
 void save_layered_frame(const std::string& path, const LayeredImage& image,
                         const std::vector<LayerKind>& kinds, const Encoding& encoding,
                         const PictureFacts& facts) {

@@ -1,10 +1,10 @@
 #include "frame/write_pictures.h"
 
-#include <chrono>
-#include <ctime>
+#include <algorithm>
 #include <functional>
 #include <optional>
 
+#include "base/clock.h"
 #include "frame/auto_exposure.h"
 #include "frame/frame_facts.h"
 #include "frame/layered_frame.h"
@@ -46,15 +46,15 @@ class PictureOutput {
   std::optional<Output> pipe_;
 };
 
-double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-double wall_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 using MakeFrame = std::function<void(FrameTime, const PictureFacts&)>;
 
-// Makes each frame, or only those whose files are missing, and tells what it cost. `pattern`: of the files,
-// if frames go to files.
+std::vector<std::string> files_of(const FrameRequest& request, const FilePattern& pattern, int number) {
+  const std::string path = pattern.name(number);
+  return request.layers.empty() ? std::vector<std::string>{path} : layer_files(path, request.layers);
+}
+
+// Makes each frame, or only those of which a file is missing, and tells what it cost. `pattern`: of the
+// files, if frames go to files.
 void make_each(const FrameRequest& request, const Scene& scene, const std::vector<FrameTime>& frames,
                const std::optional<FilePattern>& pattern, const Camera& camera, double exposure,
                const Progress& progress, const MakeFrame& make) {
@@ -63,7 +63,11 @@ void make_each(const FrameRequest& request, const Scene& scene, const std::vecto
     report_frame(progress, i, frames.size(), frames[i].number);
     const double wall = wall_now(), cpu = cpu_now();
     const PictureFacts facts = facts_of(request, scene, stream, camera, frames[i], exposure);
-    const bool kept = request.missing && shows(pattern->name(frames[i].number), facts);
+    const auto shown = [&](const std::string& file) { return shows(file, facts); };
+    const auto all_shown = [&](const std::vector<std::string>& files) {
+      return std::all_of(files.begin(), files.end(), shown);
+    };
+    const bool kept = request.missing && all_shown(files_of(request, *pattern, frames[i].number));
     if (!kept) make(frames[i], facts);
     if (request.told) request.told({frames[i].number, kept, wall_now() - wall, cpu_now() - cpu});
   }

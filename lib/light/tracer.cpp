@@ -118,9 +118,8 @@ struct Tracer::State {
     group.body = body;
     group.moves = moves;
     std::vector<Vec3> positions;
-    for (auto p = polygons.begin(); p != polygons.end(); ++p) {
-      if (p == with_holes) group.first_with_holes = static_cast<uint32_t>(positions.size() / 3);
-      const Polygon& polygon = scene->polygons[*p];
+    const auto add = [&](uint32_t p) {
+      const Polygon& polygon = scene->polygons[p];
       const uint32_t owner = body_of(*scene, polygon);
       const auto push = [&](int corner) {
         const Vec3 rest = scene->vertices[polygon.corners[corner]];
@@ -128,11 +127,13 @@ struct Tracer::State {
       };
       for (int t = 0; t + 2 < polygon.corner_count(); ++t) {
         push(0), push(t + 1), push(t + 2);
-        group.polygon_of_triangle.push_back(*p);
+        group.polygon_of_triangle.push_back(p);
         group.second_of_quad.push_back(t == 1);
       }
-    }
-    if (with_holes == polygons.end()) group.first_with_holes = static_cast<uint32_t>(positions.size() / 3);
+    };
+    std::for_each(polygons.begin(), with_holes, add);
+    group.first_with_holes = static_cast<uint32_t>(positions.size() / 3);
+    std::for_each(with_holes, polygons.end(), add);
     group.middle = middle_of(positions, scene_box.diagonal());
     group.scene = rtcNewScene(device);
     rtcSetSceneFlags(group.scene, RTC_SCENE_FLAG_ROBUST);

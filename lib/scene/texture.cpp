@@ -42,6 +42,27 @@ Between between(double coordinate, uint32_t count, bool clamp) {
   return {low, (low + 1) % count, static_cast<float>(wrapped - below)};
 }
 
+// Texture coordinates spread evenly over a polygon, about one per texel, within bounds.
+std::vector<Vec2> spread_uvs(const Scene& scene, const Polygon& polygon, uint64_t texels_of_texture) {
+  constexpr double kFewest = 16, kMost = 4096;
+  double twice = 0;  // twice its area in texture coordinates
+  const int corners = polygon.corner_count();
+  for (int i = 0; i < corners; ++i) {
+    const Vec2 a = scene.uvs[polygon.uvs[i]], b = scene.uvs[polygon.uvs[(i + 1) % corners]];
+    twice += a.x * b.y - b.x * a.y;
+  }
+  const double texels = 0.5 * std::abs(twice) * static_cast<double>(texels_of_texture);
+  const auto count =
+      static_cast<uint32_t>(std::isfinite(texels) ? std::clamp(texels, kFewest, kMost) : kFewest);
+  std::vector<Vec2> uvs;
+  for (uint32_t i = 0; i < count; ++i) {
+    Point2 p = r2_point(i, 0.5, 0.5);
+    if (corners == 3 && p.u + p.v > 1) p = {1 - p.u, 1 - p.v};
+    uvs.push_back(texture_uv(scene, polygon, {p.u, p.v}));
+  }
+  return uvs;
+}
+
 }  // namespace
 
 Rgb texture_colour(const Texture& texture, Vec2 uv) {
@@ -86,35 +107,10 @@ Rgb mean_colour(const Texture& texture) {
   return {mean(0), mean(1), mean(2)};
 }
 
-namespace {
-
-// Texture coordinates spread evenly over a polygon, about one per texel, within bounds.
-std::vector<Vec2> spread_uvs(const Scene& scene, const Polygon& polygon, double texels_of_texture) {
-  constexpr double kFewest = 16, kMost = 4096;
-  double twice = 0;  // twice its area in texture coordinates
-  const int corners = polygon.corner_count();
-  for (int i = 0; i < corners; ++i) {
-    const Vec2 a = scene.uvs[polygon.uvs[i]], b = scene.uvs[polygon.uvs[(i + 1) % corners]];
-    twice += a.x * b.y - b.x * a.y;
-  }
-  const double texels = 0.5 * std::abs(twice) * texels_of_texture;
-  const auto count =
-      static_cast<uint32_t>(std::isfinite(texels) ? std::clamp(texels, kFewest, kMost) : kFewest);
-  std::vector<Vec2> uvs;
-  for (uint32_t i = 0; i < count; ++i) {
-    Point2 p = r2_point(i, 0.5, 0.5);
-    if (corners == 3 && p.u + p.v > 1) p = {1 - p.u, 1 - p.v};
-    uvs.push_back(texture_uv(scene, polygon, {p.u, p.v}));
-  }
-  return uvs;
-}
-
-}  // namespace
-
 Rgb mean_colour(const Scene& scene, const Polygon& polygon, const Texture& texture) {
   Rgb sum;
   size_t shown = 0;
-  for (const Vec2 uv : spread_uvs(scene, polygon, double{1} * texture.width * texture.height)) {
+  for (const Vec2 uv : spread_uvs(scene, polygon, uint64_t{texture.width} * texture.height)) {
     if (is_hole(texture, uv)) continue;
     sum += texture_colour(texture, uv);
     ++shown;
@@ -126,7 +122,7 @@ double coverage_of(const Scene& scene, const Polygon& polygon) {
   if (!may_have_holes(scene, polygon)) return 1;
   const Texture& texture = scene.textures[scene.materials[polygon.material].texture];
   const std::vector<Vec2> uvs =
-      spread_uvs(scene, polygon, double{1} * texture.opacity.width * texture.opacity.height);
+      spread_uvs(scene, polygon, uint64_t{texture.opacity.width} * texture.opacity.height);
   const auto shown = std::count_if(uvs.begin(), uvs.end(), [&](Vec2 uv) { return !is_hole(texture, uv); });
   return static_cast<double>(shown) / static_cast<double>(uvs.size());
 }

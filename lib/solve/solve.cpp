@@ -3,10 +3,9 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "base/memory.h"
 #include "solve/direct/direct_phase.h"
@@ -73,10 +72,6 @@ class PhaseClock {
   }
 
  private:
-  static double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-  static double wall_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  }
   const Progress& progress_;
   PhaseStats* stats_ = nullptr;
   double cpu_start_ = 0, wall_start_ = 0;
@@ -150,7 +145,7 @@ void measure(const Slab& slab, SolveStats* stats) {
 
 // What all phases share. Filled by the first phase, and not moved since parts refer to one another.
 struct Prepared {
-  const Scene& scene;  // without textures
+  const Scene& scene;  // without colours of textures: reflectances are means over polygons
   TimeGrid grid;
   std::vector<Instant> instants;  // by time sample
   Tracer tracer;

@@ -33,6 +33,17 @@ for format in exr png; do
   [ "$(kept)" = 5 ]
 done
 
+# Layers in files of their own: a frame is kept only if all of its files are there.
+layers() { render --layers combined,normal --missing --stats stats -o 'layer.%d.png' first.strad; }
+layers
+[ "$(kept)" = 0 ]
+rm layer.normal.2.png
+layers
+[ "$(kept)" = 4 ]
+[ -s layer.normal.2.png ]
+layers
+[ "$(kept)" = 5 ]
+
 # The same command lines, but another scene: only the fingerprint tells.
 sed 's/rate 25/rate 24/' $scene.motion >lamp.motion
 cp $scene.obj $scene.mtl .

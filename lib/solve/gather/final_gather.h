@@ -21,8 +21,8 @@ namespace strad {
 constexpr float kLeastUnblocked = 0.2f;  // of the view of a leaf: below, its few free rays say too little
 
 struct GatherAccuracy {
-  // From a vertex or leaf of a large face, where what a ray brings deviates by as much as its mean. Small
-  // faces get fewer, by their accuracy share.
+  // From a vertex or leaf of a large face, where what a ray brings deviates by its mean or less; up to 8
+  // times as many where it deviates by more. Small faces get fewer, by their accuracy share.
   int rays = 512;
   double tolerance = 4e-3;  // share of the light gathered by which its course over time may be off
 };

@@ -8,10 +8,10 @@
 namespace strad {
 namespace {
 
-constexpr uint32_t kProbeSamples = 32;
-// In the dark, links need only be right enough to tell rays where light comes from; bounces correct the rest.
-constexpr double kLocalLooseness = 16;  // time samples at which the oracle knows the light
+constexpr uint32_t kProbeSamples = 32;  // time samples at which the oracle knows the light
 constexpr size_t kBlock = 8;            // of them, propagated together
+// In the dark, links need only be right enough to tell rays where light comes from; bounces correct the rest.
+constexpr double kLocalLooseness = 16;
 
 std::vector<uint32_t> spread_samples(uint32_t count, uint32_t wanted) {
   std::vector<uint32_t> time_samples;
@@ -65,7 +65,6 @@ RefinedLinks refine_links(const Workspace& work, const std::vector<Instant>& ins
   divide_leaves(refinement, options.threshold, tree);
   const std::vector<Node>& nodes = tree->nodes();
   links.table = make_link_table(work.grid, static_cast<uint32_t>(nodes.size()), refinement.links());
-  links.reflections = reflections_of(*tree);
   for (size_t n = links.form_factor_sums.size(); n < nodes.size(); ++n)
     links.form_factor_sums.push_back(links.form_factor_sums[nodes[n].parent]);
   links.count = refinement.links().size();

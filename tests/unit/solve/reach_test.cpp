@@ -211,5 +211,28 @@ TEST(Reach, WhatIsCoveredIsDark) {
   for (uint32_t tile = 0; tile < 12; ++tile) EXPECT_EQ(r[2 * (first + tile)], tile != 4) << tile;
 }
 
+// A box of 20 x 20 x 20 cm in a hall of 20 x 20 x 5 m, less than a thousandth of all area, with a slot of 1
+// cm along one edge of its top: few walks from inside find the way out.
+TEST(Reach, ASmallBoxWithASlotIsLitInside) {
+  Scene scene;
+  scene.end = 1;
+  add_box(&scene, {0, 0, 0}, {20, 20, 5}, true);
+  const uint32_t box = add_box(&scene, {9, 9, 1}, {9.2, 9.2, 1.2}, false);
+  const auto top = std::find_if(scene.polygons.begin() + box, scene.polygons.end(), [&](const Polygon& p) {
+    for (int c = 0; c < p.corner_count(); ++c)
+      if (scene.vertices[p.corners[c]].z != 1.2) return false;
+    return true;
+  });
+  ASSERT_NE(top, scene.polygons.end());
+  scene.polygons.erase(top);
+  add_polygon(&scene, {{9, 9, 1.2}, {9.19, 9, 1.2}, {9.19, 9.2, 1.2}, {9, 9.2, 1.2}});
+  add_spot(&scene, {5, 5, 4.9}, {5, 5, 0}, 0.9, 1.2, {1, 1, 1});
+  const std::vector<bool> r = reached(scene);
+  for (uint32_t p = box; p < box + 6; ++p) {
+    EXPECT_TRUE(r[2 * p]) << p;
+    EXPECT_TRUE(r[2 * p + 1]) << p;
+  }
+}
+
 }  // namespace
 }  // namespace strad
