@@ -45,7 +45,7 @@ FrameTool parse_options(int argc, char** argv) {
                "scale all light by 2^EV (default 0); auto: as the whole animation's brightness asks for");
   options.text(
       "--layers", "LIST", &tool.layers,
-      "layers in place of one picture: all, or some of combined, direct, indirect, emission, albedo, "
+      "layers in place of one picture: all, or some of combined, direct, indirect, emission, specular, albedo, "
       "normal, position, depth, motion, object, material");
   options.choice("--tone", {"linear", "srgb", "filmic"}, &tool.encoding.tone,
                  "how whole numbers follow from light (default srgb)");
@@ -71,6 +71,7 @@ FrameTool parse_options(int argc, char** argv) {
   request.raster.direct = direct == "mesh" ? DirectFrom::kMesh : DirectFrom::kPixel;
   request.output = tool.common.output;
   if (!tool.layers.empty()) request.layers = parse_layers("--layers", tool.layers);
+  request.all_layers = tool.layers == "all";
   request.auto_exposure = tool.exposure == "auto";
   if (!tool.exposure.empty() && !request.auto_exposure)
     request.exposure = parse_number(tool.exposure, "--exposure");

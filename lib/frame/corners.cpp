@@ -64,7 +64,7 @@ void Corners::take_samples() {
 
 // Are all rays to the emitter group from the corner and those around it free, or all blocked?
 bool Corners::neighbours_agree(int x, int y, size_t group) const {
-  bool any_free = false, any_blocked = false;
+  bool any_free = false, any_blocked = false, any_clear = false, any_glass = false;
   for (int v = y - kDetect; v <= y + kDetect; ++v) {
     for (int u = x - kDetect; u <= x + kDetect; ++u) {
       const GroupShare& share = shares(u, v)[group];
@@ -72,9 +72,11 @@ bool Corners::neighbours_agree(int x, int y, size_t group) const {
       if (shadow.rays == 0 && share.irradiance > 0) return false;  // nothing is known of it
       any_free |= shadow.free > 0;
       any_blocked |= shadow.free < shadow.rays;
+      any_glass |= shadow.through_glass > 0;
+      any_clear |= shadow.through_glass < shadow.free;
     }
   }
-  return !(any_free && any_blocked);
+  return !(any_free && any_blocked) && !(any_clear && any_glass);
 }
 
 // First finds the corners that need more rays, from the first rays of all, and only then adds rays. So the
@@ -127,6 +129,20 @@ bool Corners::shadow_edge(int x, int y) const {
   return false;
 }
 
+// The visible fraction of a group of which some is seen through glass, channel by channel. `window`: of the
+// fractions that are not blocked.
+Rgb Corners::smooth_colour(int x, int y, size_t group, PenumbraWindow window) const {
+  Rgb colour;
+  for (int c = 0; c < 3; ++c) {
+    for (int v = 0; v < kWindow; ++v)
+      for (int u = 0; u < kWindow; ++u)
+        window.fraction[static_cast<size_t>(v * kWindow + u)] =
+            free_colour(shares(x + u - kReach, y + v - kReach)[group].shadow)[c];
+    colour[c] = smooth_fraction(window, view_.lamp_samples);
+  }
+  return colour;
+}
+
 // Radiance of a pixel from emitter groups: the mean over its corners.
 Rgb Corners::emitted_light(int x, int y) const {
   if (groups_ == 0) return {};
@@ -134,6 +150,7 @@ Rgb Corners::emitted_light(int x, int y) const {
   Rgb sum;
   PenumbraWindow window;
   for (size_t l = 0; l < groups_; ++l) {
+    bool glass = false;  // between
     if (!even) {
       for (int v = 0; v < kWindow; ++v) {
         for (int u = 0; u < kWindow; ++u) {
@@ -141,14 +158,17 @@ Rgb Corners::emitted_light(int x, int y) const {
           const ShadowRays& shadow = shares(cx, cy)[l].shadow;
           const size_t at = static_cast<size_t>(v * kWindow + u);
           window.fraction[at] = free_fraction(shadow);
+          glass |= shadow.through_glass > 0;
           window.known[at] = shadow.all > 0 && on_one_surface(view_, sample(x, y), sample(cx, cy));
         }
       }
     }
     const float shared = even ? 1 : smooth_fraction(window, view_.lamp_samples);
+    Rgb colour{shared, shared, shared};
+    if (!even && glass) colour = smooth_colour(x, y, l, window);
     for (int k = 0; k < 4; ++k) {
       const GroupShare& share = shares(x + (k & 1), y + (k >> 1))[l];
-      sum += (even ? free_fraction(share.shadow) : shared) * share.radiance;
+      sum += (even ? free_colour(share.shadow) : colour) * share.radiance;
     }
   }
   return 0.25f * sum;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "frame/penumbra.h"
 #include "frame/shading.h"
 
 namespace strad {
@@ -49,6 +50,7 @@ class Corners {
   void refine_shadows();
   bool neighbours_agree(int x, int y, size_t group) const;
   bool all_even_around(int x, int y) const;
+  Rgb smooth_colour(int x, int y, size_t group, PenumbraWindow window) const;
 
   const FrameView& view_;
   const size_t groups_;

@@ -31,6 +31,7 @@ struct FrameRequest {
   bool auto_exposure = false;     // in place of it, that of the animation's brightness
   Encoding encoding;              // of pictures
   std::vector<LayerKind> layers;  // in place of the one picture
+  bool all_layers = false;        // specular too, if the scene has mirrors or glass
   bool pfm = false;               // on standard output, PFM in place of PPM
   RasterOptions raster;           // its shutter is set from the one above
   int reference = 0;              // paths per pixel of a reference frame; 0: frames of the solution

@@ -9,7 +9,7 @@
 namespace strad {
 namespace {
 
-constexpr std::string_view kWords[] = {"combined", "direct", "indirect", "emission", "albedo",  "normal",
+constexpr std::string_view kWords[] = {"combined", "direct", "indirect", "emission", "specular", "albedo",  "normal",
                                        "position", "depth",  "motion",   "object",   "material"};
 
 }  // namespace
@@ -21,7 +21,8 @@ bool is_picture(LayerKind kind) { return kind <= LayerKind::kNormal; }
 std::vector<LayerKind> parse_layers(const std::string& option, const std::string& text) {
   std::vector<LayerKind> kinds;
   if (text == "all") {
-    for (size_t k = 0; k < std::size(kWords); ++k) kinds.push_back(static_cast<LayerKind>(k));
+    for (size_t k = 0; k < std::size(kWords); ++k)
+      if (static_cast<LayerKind>(k) != LayerKind::kSpecular) kinds.push_back(static_cast<LayerKind>(k));
     return kinds;
   }
   for (size_t begin = 0; begin <= text.size();) {

@@ -29,12 +29,13 @@ LayeredImage render_layers(Raster* raster, const Scene& scene, const Slab& slab,
   if (std::any_of(kinds.begin(), kinds.end(), is_light)) {
     LightLayers light;
     Image combined = raster->render(slab, camera, time, options, &light);
-    for (Image* one : {&combined, &light.direct, &light.indirect, &light.emission}) expose(one, exposure);
+    for (Image* one : {&combined, &light.direct, &light.indirect, &light.emission, &light.specular}) expose(one, exposure);
     for (const LayerKind kind : kinds) {
       if (kind == LayerKind::kCombined) image.layers.push_back(layer_of(combined, ""));
       if (kind == LayerKind::kDirect) image.layers.push_back(layer_of(light.direct, "direct"));
       if (kind == LayerKind::kIndirect) image.layers.push_back(layer_of(light.indirect, "indirect"));
       if (kind == LayerKind::kEmission) image.layers.push_back(layer_of(light.emission, "emission"));
+      if (kind == LayerKind::kSpecular) image.layers.push_back(layer_of(light.specular, "specular"));
     }
   }
   if (std::any_of(kinds.begin(), kinds.end(), is_geometry))

@@ -258,7 +258,7 @@ double unoccluded_irradiance(const LitGroup& group, const SurfacePoint& point, c
 
 namespace {
 
-// occluded(from, to): is anything between the two points?
+// occluded(from, to, passed): is anything between the two points? See Tracer::occluded.
 template <typename Occluded>
 void add_rays(const Occluded& occluded, double offset, const LitGroup& group, const SurfacePoint& point,
               double irradiance, ShadowPoints points, GroupSight* sight, ShadowRays* shadow) {
@@ -285,9 +285,13 @@ void add_rays(const Occluded& occluded, double offset, const LitGroup& group, co
     if (!(weight > 0)) continue;
     ++shadow->rays;
     shadow->all += static_cast<float>(weight);
-    if (occluded(lifted, on_facet + offset * facet.normal)) continue;
+    Rgb passed{1, 1, 1};
+    if (occluded(lifted, on_facet + offset * facet.normal, &passed)) continue;
     ++shadow->free;
     shadow->seen += static_cast<float>(weight);
+    if (passed == Rgb{1, 1, 1}) continue;
+    ++shadow->through_glass;
+    shadow->dimmed += static_cast<float>(weight) * (Rgb{1, 1, 1} - passed);
   }
 }
 
@@ -296,15 +300,15 @@ void add_rays(const Occluded& occluded, double offset, const LitGroup& group, co
 void add_shadow_rays(const Tracer& tracer, const Instant& instant, const LitGroup& group,
                      const SurfacePoint& point, double irradiance, ShadowPoints points, GroupSight* sight,
                      ShadowRays* shadow) {
-  const auto occluded = [&](Vec3 from, Vec3 to) {
-    return tracer.occluded(instant.world_from_body, from, to);
+  const auto occluded = [&](Vec3 from, Vec3 to, Rgb* passed) {
+    return tracer.occluded(instant.world_from_body, from, to, passed);
   };
   add_rays(occluded, tracer.offset(), group, point, irradiance, points, sight, shadow);
 }
 
 void add_shadow_rays(const PosedTracer& tracer, const LitGroup& group, const SurfacePoint& point,
                      double irradiance, ShadowPoints points, GroupSight* sight, ShadowRays* shadow) {
-  const auto occluded = [&](Vec3 from, Vec3 to) { return tracer.occluded(from, to); };
+  const auto occluded = [&](Vec3 from, Vec3 to, Rgb* passed) { return tracer.occluded(from, to, passed); };
   add_rays(occluded, tracer.offset(), group, point, irradiance, points, sight, shadow);
 }
 

@@ -68,9 +68,17 @@ double unoccluded_irradiance(const LitGroup& group, const SurfacePoint& point, c
 struct ShadowRays {
   float seen = 0, all = 0;  // sums of weights, of the free rays and of all
   int rays = 0, free = 0;
+  Rgb dimmed;             // sum of weights, times the shares that glass keeps of the free rays
+  int through_glass = 0;  // of the free rays
 };
 // The visible fraction of a group.
 inline float free_fraction(const ShadowRays& shadow) { return shadow.all > 0 ? shadow.seen / shadow.all : 0; }
+// The same by channel, less what glass keeps.
+inline Rgb free_colour(const ShadowRays& shadow) {
+  const float free = free_fraction(shadow);
+  const Rgb white{free, free, free};
+  return shadow.through_glass == 0 ? white : white - (1 / shadow.all) * shadow.dimmed;
+}
 
 // Points [first, first + count) of a scrambled sequence of points on a group, which follows from `scramble`.
 struct ShadowPoints {

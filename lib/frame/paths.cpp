@@ -66,8 +66,9 @@ Rgb Paths::spots(const Instant& instant, const SurfacePoint& point, PathRandom* 
   }
   if (!(sum > 0)) return {};
   const Vec3 lifted = point.position + tracer_.offset() * point.normal;
-  if (tracer_.occluded(instant.world_from_body, lifted, instant.spots[chosen].position)) return {};
-  return static_cast<float>(sum / max_channel(brought)) * brought;
+  Rgb passed{1, 1, 1};
+  if (tracer_.occluded(instant.world_from_body, lifted, instant.spots[chosen].position, &passed)) return {};
+  return passed * (static_cast<float>(sum / max_channel(brought)) * brought);
 }
 
 // A point of an emitter, chosen in proportion to area times emission.
@@ -106,8 +107,10 @@ Rgb Paths::emitters(const Instant& instant, const SurfacePoint& point, PathRando
   }
   if (!(sum > 0)) return {};
   const Vec3 lifted = point.position + tracer_.offset() * point.normal;
-  if (tracer_.occluded(instant.world_from_body, lifted, chosen.target)) return {};
-  return static_cast<float>(sum / (kCandidates * max_channel(chosen.irradiance))) * chosen.irradiance;
+  Rgb passed{1, 1, 1};
+  if (tracer_.occluded(instant.world_from_body, lifted, chosen.target, &passed)) return {};
+  return passed *
+         (static_cast<float>(sum / (kCandidates * max_channel(chosen.irradiance))) * chosen.irradiance);
 }
 
 // W / m^2: what the emitter that a path meets in `direction` stands for, beside the points drawn on it.
@@ -130,8 +133,10 @@ Rgb Paths::but_spots(const Instant& instant, const SurfacePoint& point, Point2 f
   for (int reflections = 1;; ++reflections) {
     const Vec3 lifted = from.position + tracer_.offset() * from.normal;
     const Vec3 direction = cosine_direction(from.normal, at);
-    const Sight sight = surfaces_.look(instant, lifted, direction);
+    Rgb passed{1, 1, 1};
+    const Sight sight = surfaces_.look_through(instant, lifted, direction, &passed);
     if (sight.point.polygon == kNone) return sum;
+    throughput = throughput * passed;
     if (!is_black(sight.emission)) sum += throughput * met_emitter(from, direction, sight);
     throughput = throughput * sight.reflectance;
     if (reflections > kSureReflections) {

@@ -83,7 +83,7 @@ Image Raster::render(const Slab& slab, const Camera& camera, double time, const 
     view.cameras.emplace_back(camera_at(camera, instant), options.width, options.height);
   }
   Image image(options.width, options.height);
-  if (layers) *layers = {image, image, image};
+  if (layers) *layers = {image, image, image, image};
   const std::vector<TileRect> tiles = tiles_of(options.width, options.height);
   parallel_for(tiles.size(), 1, [&](size_t first, size_t last) {
     for (size_t t = first; t < last; ++t) render_tile(view, options.samples, tiles[t], &image, layers);

@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "frame/camera.h"
 #include "frame/sobol.h"
+#include "frame/specular.h"
 
 namespace strad {
 namespace {
@@ -32,6 +33,41 @@ struct Reference::Exposure {
 Reference::Reference(const Scene& scene)
     : scene_(scene), tracer_(scene), surfaces_(scene, tracer_), paths_(scene, tracer_, surfaces_) {}
 
+Rgb Reference::diffuse(const Instant& instant, const Sight& sight, PathRandom* random) const {
+  Rgb radiance = sight.emission;
+  if (is_black(sight.reflectance)) return radiance;
+  Rgb irradiance = paths_.spots(instant, sight.point, random);
+  Point2 first;
+  first.u = random->next();
+  first.v = random->next();
+  irradiance += paths_.but_spots(instant, sight.point, first, random);
+  radiance += static_cast<float>(1 / kPi) * sight.reflectance * irradiance;
+  return radiance;
+}
+
+// What the eye sees there, by one of the ways on from each mirror and glass.
+Rgb Reference::radiance(const Instant& instant, Sight sight, PathRandom* random) const {
+  Rgb sum, throughput{1, 1, 1};
+  for (int depth = 0; sight.point.polygon != kNone; ++depth) {
+    sum += throughput * diffuse(instant, sight, random);
+    const Polygon& polygon = scene_.polygons[sight.point.polygon];
+    if (depth == kMostSpecular || !has_finish(scene_, polygon)) break;
+    Point2 lobe;
+    lobe.u = random->next();
+    lobe.v = random->next();
+    const SpecularRays rays =
+        specular_rays(scene_.materials[polygon.material].finish,
+                      tracer_.glass_kind(sight.point.polygon), sight, tracer_.offset(), lobe);
+    const float mirrored = max_channel(rays.mirrored.share), all = mirrored + max_channel(rays.passed.share);
+    if (!(all > 0)) break;
+    const bool mirror = random->next() * double{all} < double{mirrored};
+    const SpecularRay& ray = mirror ? rays.mirrored : rays.passed;
+    throughput = (all / max_channel(ray.share)) * throughput * ray.share;
+    sight = surfaces_.look(instant, ray.from, ray.direction);
+  }
+  return sum;
+}
+
 Rgb Reference::pixel(const Exposure& exposure, uint32_t x, uint32_t y) const {
   const ReferenceOptions& options = exposure.options;
   const uint64_t key = hash_of(exposure.key, x, y);
@@ -45,15 +81,7 @@ Rgb Reference::pixel(const Exposure& exposure, uint32_t x, uint32_t y) const {
       moment = exposure.view(exposure.time + options.shutter * (p + random.next()) / options.paths);
     const Sight sight =
         surfaces_.look(moment.instant, moment.camera.from(), moment.camera.direction(x + at.u, y + at.v));
-    Rgb radiance = sight.emission;
-    if (sight.point.polygon != kNone && !is_black(sight.reflectance)) {
-      Rgb irradiance = paths_.spots(moment.instant, sight.point, &random);
-      Point2 first;
-      first.u = random.next();
-      first.v = random.next();
-      irradiance += paths_.but_spots(moment.instant, sight.point, first, &random);
-      radiance += static_cast<float>(1 / kPi) * sight.reflectance * irradiance;
-    }
+    const Rgb radiance = this->radiance(moment.instant, sight, &random);
     for (int c = 0; c < 3; ++c) sum[c] += radiance[c];
   }
   const double count = options.paths;

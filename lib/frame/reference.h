@@ -1,4 +1,7 @@
 // Reference frames: a scene path traced, without any solution.
+//
+// From the eye, paths are mirrored and bent. From the first diffuse surface on, light is that of the solve:
+// it goes straight through glass, and mirrors send none.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +31,8 @@ class Reference {
 
  private:
   struct Exposure;
+  Rgb radiance(const Instant& instant, Sight sight, PathRandom* random) const;
+  Rgb diffuse(const Instant& instant, const Sight& sight, PathRandom* random) const;
   Rgb pixel(const Exposure& exposure, uint32_t x, uint32_t y) const;
 
   const Scene& scene_;

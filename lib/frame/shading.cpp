@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "frame/sobol.h"
+#include "frame/specular.h"
 #include "scene/texture.h"
 
 namespace strad {
@@ -34,8 +36,11 @@ Sample take_sample(const FrameView& view, size_t instant, double x, double y, Sh
   return shade(view, instant, look(view, instant, x, y), points, shares);
 }
 
-Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPoints points,
-             GroupShare* shares) {
+namespace {
+
+// The light that a surface reflects diffusely and emits.
+Sample shade_diffuse(const FrameView& view, size_t instant, const Sight& sight, ShadowPoints points,
+                     GroupShare* shares) {
   std::fill(shares, shares + view.group_count, GroupShare{});
   const FrameInstant& now = view.instants[instant];
   Sample sample;
@@ -64,6 +69,80 @@ Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPo
   return sample;
 }
 
+// Rays that make less of a sample than this are not followed.
+constexpr float kLeastShare = 0.003f;
+// Rays of the first rough mirror at a sample, and shadow rays to each emitter group from where they end.
+constexpr uint32_t kLobes = 4, kSpecularRays = 4;
+
+// Follows what a sample sees in mirrors and through glass, all ways on from each surface.
+class SpecularWalk {
+ public:
+  SpecularWalk(const FrameView& view, size_t instant, ShadowPoints points)
+      : view_(view), now_(view.instants[instant]), instant_(instant), points_(points) {
+    first_ = points.count > 0 ? points.first / points.count : points.first;
+  }
+
+  void follow(const Sight& sight, Rgb share, int depth) {
+    const Polygon& polygon = view_.scene.polygons[sight.point.polygon];
+    const Finish& finish = view_.scene.materials[polygon.material].finish;
+    const GlassKind kind = now_.tracer.glass_kind(sight.point.polygon);
+    const uint32_t lobes = finish.roughness > 0 && kind == GlassKind::kNone && depth == 0 ? kLobes : 1;
+    const float part = 1 / static_cast<float>(lobes);
+    for (uint32_t i = 0; i < lobes; ++i) {
+      const uint64_t key = hash_of(points_.scramble, static_cast<uint64_t>(depth), 23);
+      const Point2 lobe = OwenSequence(first_ * lobes + i, key).next();
+      const SpecularRays rays = specular_rays(finish, kind, sight, now_.tracer.offset(), lobe);
+      for (const SpecularRay& ray : {rays.mirrored, rays.passed}) go(ray, part * share, depth + 1);
+      if (lobes > 1 || finish.roughness > 0) seen = 0;  // blurred: it has no edges
+    }
+  }
+
+  Rgb sum;
+  uint64_t seen = 0;  // a number for the surfaces that were met, and which spotlights reach them
+
+ private:
+  void go(const SpecularRay& ray, Rgb share, int depth) {
+    share = share * ray.share;
+    if (!(max_channel(share) > kLeastShare)) return;
+    const Sight sight = view_.surfaces.look(now_.tracer, now_.lights.instant, ray.from, ray.direction);
+    if (sight.point.polygon == kNone) {
+      seen = mix64(seen);
+      return;
+    }
+    // A stack of shares, for the walk shades surfaces one within another.
+    std::vector<GroupShare> shares(view_.group_count);
+    const uint64_t key = hash_of(points_.scramble, static_cast<uint64_t>(depth), 29);
+    const Sample sample = shade_diffuse(view_, instant_, sight,
+                                        {first_ * kSpecularRays, kSpecularRays, key}, shares.data());
+    sum += share * light_of(view_, sample, shares.data()).all;
+    const Polygon& polygon = view_.scene.polygons[sight.point.polygon];
+    seen = hash_of(seen, polygon.object * uint64_t{2} + sight.front, polygon.material);
+    seen = hash_of(seen, sample.spots, sample.leaf);
+    if (has_finish(view_.scene, polygon) && depth < kMostSpecular) follow(sight, share, depth);
+  }
+
+  const FrameView& view_;
+  const FrameInstant& now_;
+  size_t instant_;
+  ShadowPoints points_;
+  uint32_t first_;  // of the sample among those that share points_.scramble
+};
+
+}  // namespace
+
+Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPoints points,
+             GroupShare* shares) {
+  Sample sample = shade_diffuse(view, instant, sight, points, shares);
+  if (sight.point.polygon == kNone || !has_finish(view.scene, view.scene.polygons[sight.point.polygon]))
+    return sample;
+  SpecularWalk walk(view, instant, points);
+  walk.follow(sight, {1, 1, 1}, 0);
+  sample.base.specular = walk.sum;
+  sample.base.all += walk.sum;
+  sample.spots = hash_of(sample.spots, walk.seen);
+  return sample;
+}
+
 void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample, size_t group,
                      ShadowPoints points, GroupShare* share) {
   const FrameInstant& now = view.instants[instant];
@@ -76,7 +155,7 @@ void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample
 Light light_of(const FrameView& view, const Sample& sample, const GroupShare* shares) {
   Light sum = sample.base;
   for (size_t l = 0; l < view.group_count; ++l)
-    sum.all += free_fraction(shares[l].shadow) * shares[l].radiance;
+    sum.all += free_colour(shares[l].shadow) * shares[l].radiance;
   return sum;
 }
 
@@ -95,12 +174,16 @@ bool alike(const FrameView& view, const Sample& a, const Sample& b) {
 
 bool evenly_lit(const FrameView& view, const GroupShare* shares) {
   return std::all_of(shares, shares + view.group_count, [](const GroupShare& share) {
-    return share.shadow.free == 0 || share.shadow.free == share.shadow.rays;
+    const ShadowRays& shadow = share.shadow;
+    return (shadow.free == 0 || shadow.free == shadow.rays) &&
+           (shadow.through_glass == 0 || shadow.through_glass == shadow.free);
   });
 }
 
 bool textured(const FrameView& view, const Sample& sample) {
-  return sample.point.polygon != kNone && has_texture(view.scene, view.scene.polygons[sample.point.polygon]);
+  if (sample.point.polygon == kNone) return false;
+  const Polygon& polygon = view.scene.polygons[sample.point.polygon];
+  return has_texture(view.scene, polygon) || has_finish(view.scene, polygon);
 }
 
 }  // namespace strad

@@ -15,14 +15,16 @@
 
 namespace strad {
 
-// Radiance, and what of it is indirect and emitted. The rest is direct.
+// Radiance, and what of it is indirect, emitted, and seen in a mirror or through glass. The rest is direct.
 struct Light {
-  Rgb all, indirect, emission;
+  Rgb all, indirect, emission, specular{};
 };
 inline Light operator+(const Light& a, const Light& b) {
-  return {a.all + b.all, a.indirect + b.indirect, a.emission + b.emission};
+  return {a.all + b.all, a.indirect + b.indirect, a.emission + b.emission, a.specular + b.specular};
 }
-inline Light operator*(float s, const Light& a) { return {s * a.all, s * a.indirect, s * a.emission}; }
+inline Light operator*(float s, const Light& a) {
+  return {s * a.all, s * a.indirect, s * a.emission, s * a.specular};
+}
 
 // An instant of a frame, prepared for rays. Keeps references into itself: it does not move.
 struct FrameInstant {
@@ -62,7 +64,7 @@ struct Sample {
   SurfacePoint point;  // polygon kNone: nothing was hit
   bool front = true;
   uint32_t leaf = kNone;  // of the mesh, where elements show
-  uint64_t spots = 0;     // which of them reach the point
+  uint64_t spots = 0;     // which of them reach the point, and what a mirror or glass shows there
   Light base;             // of all but emitter groups
 };
 
@@ -91,7 +93,7 @@ bool on_one_surface(const FrameView& view, const Sample& a, const Sample& b);
 // spotlights?
 bool alike(const FrameView& view, const Sample& a, const Sample& b);
 
-// Does its reflectance come from a texture?
+// Does its light vary over the surface: is its reflectance from a texture, or is it a mirror or glass?
 bool textured(const FrameView& view, const Sample& sample);
 
 // Is each emitter group seen by all of the shadow rays to it, or by none?

@@ -67,16 +67,31 @@ Sight Surfaces::at(const Instant& instant, uint32_t p, bool front, Vec3 rest_poi
   return sight;
 }
 
+namespace {
+
+Sight seen_along(Vec3 direction, Sight sight) {
+  sight.direction = direction;
+  return sight;
+}
+
+}  // namespace
+
 Sight Surfaces::look(const Instant& instant, Vec3 from, Vec3 direction) const {
   const SurfaceHit hit = tracer_.closest(instant.world_from_body, from, direction);
   if (hit.polygon == kNone) return {};
-  return at(instant, hit.polygon, hit.front, hit.rest_point);
+  return seen_along(direction, at(instant, hit.polygon, hit.front, hit.rest_point));
+}
+
+Sight Surfaces::look_through(const Instant& instant, Vec3 from, Vec3 direction, Rgb* passed) const {
+  const SurfaceHit hit = tracer_.closest_through(instant.world_from_body, from, direction, passed);
+  if (hit.polygon == kNone) return {};
+  return seen_along(direction, at(instant, hit.polygon, hit.front, hit.rest_point));
 }
 
 Sight Surfaces::look(const PosedTracer& tracer, const Instant& instant, Vec3 from, Vec3 direction) const {
   const SurfaceHit hit = tracer.closest(from, direction);
   if (hit.polygon == kNone) return {};
-  return at(instant, hit.polygon, hit.front, hit.rest_point);
+  return seen_along(direction, at(instant, hit.polygon, hit.front, hit.rest_point));
 }
 
 }  // namespace strad

@@ -19,6 +19,7 @@ struct Sight {
   Vec2 at;  // parametric, on the polygon
   Rgb reflectance;
   Rgb emission;  // radiance towards the ray's origin, glow included
+  Vec3 direction{};  // of the ray, unit length; zero where there was none
 };
 
 class Surfaces {
@@ -29,6 +30,9 @@ class Surfaces {
   Sight look(const Instant& instant, Vec3 from, Vec3 direction) const;
   // The same for many rays of one instant, whose poses `tracer` has.
   Sight look(const PosedTracer& tracer, const Instant& instant, Vec3 from, Vec3 direction) const;
+
+  // What the ray sees by diffuse light: see Tracer::closest_through.
+  Sight look_through(const Instant& instant, Vec3 from, Vec3 direction, Rgb* passed) const;
 
   // The point of a polygon at a rest position on it.
   Sight at(const Instant& instant, uint32_t polygon, bool front, Vec3 rest_point) const;

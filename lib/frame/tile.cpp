@@ -246,7 +246,9 @@ void render_tile(const FrameView& view, int samples, TileRect rect, Image* image
       if (!layers) continue;
       layers->indirect.at(x, y) = light.indirect;
       layers->emission.at(x, y) = light.emission;
-      layers->direct.at(x, y) = without_negatives(light.all - light.indirect - light.emission);
+      layers->specular.at(x, y) = light.specular;
+      layers->direct.at(x, y) =
+          without_negatives(light.all - light.indirect - light.emission - light.specular);
     }
   }
 }

@@ -11,7 +11,7 @@ namespace strad {
 
 // The light of a frame by its origin: together the frame, but for rounding.
 struct LightLayers {
-  Image direct, indirect, emission;
+  Image direct, indirect, emission, specular;
 };
 
 // Renders the pixels of `rect`, into `layers` too unless it is null. A pixel does not depend on the rectangle

@@ -105,8 +105,13 @@ void write_each_layered(const FrameRequest& request, const Scene& scene, TimeRan
 
 }  // namespace
 
-double write_pictures(const FrameRequest& request, const Progress& progress) {
-  SolutionFile file(request.stream);
+double write_pictures(const FrameRequest& asked, const Progress& progress) {
+  SolutionFile file(asked.stream);
+  FrameRequest request = asked;
+  if (request.all_layers && has_finishes(file.scene())) {
+    const auto emission = std::find(request.layers.begin(), request.layers.end(), LayerKind::kEmission);
+    request.layers.insert(emission + 1, LayerKind::kSpecular);
+  }
   RasterOptions options = request.raster;
   options.shutter = request.shutter / file.scene().rate;
   Raster raster(file.scene());

@@ -179,6 +179,23 @@ Rgb limited_reflectance(Rgb reflectance, const std::string& file, uint32_t line,
   return reflectance;
 }
 
+void limit_energy(Material* material, const std::string& file, uint32_t line, ImportReport* report) {
+  Finish& finish = material->finish;
+  if (is_plain(finish)) return;
+  const float n = finish.ior;
+  const float straight = finish.fresnel ? (n - 1) * (n - 1) / ((n + 1) * (n + 1)) : 1;
+  bool lowered = false;
+  for (int c = 0; c < 3; ++c) {
+    const float mirrored = straight * finish.specular[c];
+    const float left = 1 - mirrored - (1 - mirrored) * finish.transmission[c];
+    if (!(material->reflectance[c] > std::max(left, 0.0f) + 1e-6f)) continue;
+    material->reflectance[c] = std::max(left, 0.0f);
+    lowered = true;
+  }
+  if (lowered)
+    report->add("diffuse reflectance is lowered to what mirror and glass leave of the light", file, line);
+}
+
 Rgb overridden_emission(Rgb emission, const std::string& name, const ImportOptions& options) {
   for (const MaterialLight& light : options.lights)
     if (means(light, name)) emission = light.radiance;

@@ -154,8 +154,10 @@ Rgb DirectLight::emitters(const Instant& instant, const SurfacePoint& point, int
   Rgb sum;
   for (const EmitterSample& sample : emitter_samples(instant, point, samples, seed, which)) {
     ++*rays;
-    if (tracer_.occluded(instant.world_from_body, lifted, sample.target)) continue;
-    sum += (sample.irradiance * instant.glow[sample.material]) * scene_.materials[sample.material].emission;
+    Rgb passed{1, 1, 1};
+    if (tracer_.occluded(instant.world_from_body, lifted, sample.target, &passed)) continue;
+    sum += passed *
+           ((sample.irradiance * instant.glow[sample.material]) * scene_.materials[sample.material].emission);
   }
   return sum;
 }

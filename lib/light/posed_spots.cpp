@@ -31,9 +31,11 @@ Rgb PosedSpots::irradiance(const SurfacePoint& point, SpotRays* rays) const {
     const double unoccluded = spot_irradiance(cones_[s], spot, point);
     if (!(unoccluded > 0)) continue;
     ++rays->traced;
-    if (tracer_.occluded(lifted, spot.position)) continue;
-    sum += static_cast<float>(unoccluded) * spot.intensity;
+    Rgb passed{1, 1, 1};
+    if (tracer_.occluded(lifted, spot.position, &passed)) continue;
+    sum += passed * (static_cast<float>(unoccluded) * spot.intensity);
     rays->reached = mix64(rays->reached + s);
+    if (passed != Rgb{1, 1, 1}) rays->reached = mix64(rays->reached);  // seen through glass
   }
   return sum;
 }

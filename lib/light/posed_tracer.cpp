@@ -80,13 +80,13 @@ void PosedTracer::find(Vec3 from, Vec3 direction, double reach, std::vector<bool
     if (out[i]) (*bodies)[moving_[i]] = true;
 }
 
-bool PosedTracer::occluded(Vec3 from, Vec3 to) const {
-  if (moving_.size() < kFewBodies) return tracer_.occluded(world_from_body_, from, to);
+bool PosedTracer::occluded(Vec3 from, Vec3 to, Rgb* passed) const {
+  if (moving_.size() < kFewBodies) return tracer_.occluded(world_from_body_, from, to, passed);
   thread_local std::vector<bool> bodies;
   bodies.assign(world_from_body_.size(), false);
   bodies[0] = true;  // all that rests
   find(from, to - from, 1, &bodies);
-  return tracer_.occluded_by(world_from_body_, bodies, from, to);
+  return tracer_.occluded_by(world_from_body_, bodies, from, to, passed);
 }
 
 SurfaceHit PosedTracer::closest(Vec3 from, Vec3 direction) const {

@@ -18,9 +18,10 @@ class PosedTracer {
   PosedTracer(const Tracer& tracer, const Scene& scene, const std::vector<Pose>& world_from_body);
 
   // The same results as the Tracer's.
-  bool occluded(Vec3 from, Vec3 to) const;
+  bool occluded(Vec3 from, Vec3 to, Rgb* passed = nullptr) const;
   SurfaceHit closest(Vec3 from, Vec3 direction) const;
   double offset() const { return tracer_.offset(); }
+  GlassKind glass_kind(uint32_t polygon) const { return tracer_.glass_kind(polygon); }
 
  private:
   // Sets the flags of the moving bodies whose bounds the ray meets.

@@ -40,8 +40,9 @@ Rgb spots_irradiance(const Tracer& tracer, const std::vector<SpotCone>& cones, c
     const double unoccluded = spot_irradiance(cones[s], spot, point);
     if (!(unoccluded > 0)) continue;
     ++rays->traced;
-    if (tracer.occluded(instant.world_from_body, lifted, spot.position)) continue;
-    sum += static_cast<float>(unoccluded) * spot.intensity;
+    Rgb passed{1, 1, 1};
+    if (tracer.occluded(instant.world_from_body, lifted, spot.position, &passed)) continue;
+    sum += passed * (static_cast<float>(unoccluded) * spot.intensity);
     rays->reached = mix64(rays->reached + s);
   }
   return sum;

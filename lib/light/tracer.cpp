@@ -3,10 +3,12 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <bit>
 #include <deque>
 #include <span>
 
 #include "base/error.h"
+#include "base/rng.h"
 #include "scene/polygon_geometry.h"
 #include "scene/texture.h"
 #include "scene/trajectory.h"
@@ -28,10 +30,26 @@ struct Group {
   std::vector<uint32_t> polygon_of_triangle;
   std::vector<bool> second_of_quad;  // [triangle]: corners 0, 2, 3 of its polygon, not 0, 1, 2
   uint32_t first_with_holes = 0;     // triangles from here on may have holes
+  uint32_t first_of_glass = 0;       // and from here on are glass
+  const std::vector<GlassKind>* kinds = nullptr;
 };
 
 // Embree's numbers of the geometries of a group.
-constexpr uint32_t kWhole = 0, kWithHoles = 1;
+constexpr uint32_t kWhole = 0, kWithHoles = 1, kGlass = 2;
+
+// Glass that a ray has passed.
+struct Crossing {
+  double distance;
+  Rgb share;  // of light that goes on
+};
+
+// What Embree's filters are told of a ray of light.
+struct LightContext {
+  RTCIntersectContext context;  // first: filters get its address
+  bool is_light = false;        // else all glass is seen
+  bool meets_diffuse = false;   // may it end on glass that reflects diffusely?
+  std::vector<Crossing>* crossings = nullptr;
+};
 
 // The nearest hit so far, as the ray tracer tells it.
 struct Nearest {
@@ -85,6 +103,59 @@ void pass_holes(const RTCFilterFunctionNArguments* args) {
   if (is_hole(group.of->textures[group.of->materials[polygon.material].texture], at)) args->valid[0] = 0;
 }
 
+// The probability with which a ray of light is to meet the diffuse part of glass.
+float diffuse_part(const Material& material) {
+  const float reflects = mean_channel(material.reflectance), passes = mean_channel(material.finish.transmission);
+  return reflects > 0 ? reflects / (reflects + passes) : 0;
+}
+
+// A number in [0, 1) of a ray and a triangle, the same for the same ray.
+double chance_of(const RTCFilterFunctionNArguments* args, uint32_t triangle) {
+  const auto bits = [](float x) { return uint64_t{std::bit_cast<uint32_t>(x)}; };
+  RTCRayN* const ray = args->ray;
+  const unsigned n = args->N;
+  const uint64_t from = hash_of(bits(RTCRayN_org_x(ray, n, 0)), bits(RTCRayN_org_y(ray, n, 0)),
+                                bits(RTCRayN_org_z(ray, n, 0)));
+  const uint64_t to = hash_of(bits(RTCRayN_dir_x(ray, n, 0)), bits(RTCRayN_dir_y(ray, n, 0)),
+                              bits(RTCRayN_dir_z(ray, n, 0)));
+  return unit_from(hash_of(from, to, triangle));
+}
+
+// Called by Embree for hits of glass: light goes on, dimmed.
+void pass_glass(const RTCFilterFunctionNArguments* args) {
+  const auto& light = *reinterpret_cast<const LightContext*>(args->context);
+  if (!light.is_light) return;
+  const Group& group = *static_cast<const Group*>(args->geometryUserPtr);
+  const uint32_t triangle = group.first_of_glass + RTCHitN_primID(args->hit, args->N, 0);
+  const uint32_t p = group.polygon_of_triangle[triangle];
+  const Material& material = group.of->materials[group.of->polygons[p].material];
+  float goes_on = 1;
+  if (light.meets_diffuse) {
+    const float part = diffuse_part(material);
+    if (chance_of(args, triangle) < double{part}) return;
+    goes_on = 1 - part;
+  }
+  args->valid[0] = 0;
+  if (!light.crossings) return;
+  const Vec3 normal{RTCHitN_Ng_x(args->hit, args->N, 0), RTCHitN_Ng_y(args->hit, args->N, 0),
+                    RTCHitN_Ng_z(args->hit, args->N, 0)};
+  const Vec3 direction{RTCRayN_dir_x(args->ray, args->N, 0), RTCRayN_dir_y(args->ray, args->N, 0),
+                       RTCRayN_dir_z(args->ray, args->N, 0)};
+  const double cosine = std::abs(dot(normalized(normal), normalized(direction)));
+  light.crossings->push_back({RTCRayN_tfar(args->ray, args->N, 0),
+                              (1 / goes_on) * straight_share(material.finish, (*group.kinds)[p], cosine)});
+}
+
+// In order of distance, so that the product is the same in whatever order they were found.
+Rgb product_of(std::vector<Crossing>* crossings, double reach) {
+  std::sort(crossings->begin(), crossings->end(),
+            [](const Crossing& a, const Crossing& b) { return a.distance < b.distance; });
+  Rgb product{1, 1, 1};
+  for (const Crossing& crossing : *crossings)
+    if (crossing.distance < reach) product = product * crossing.share;
+  return product;
+}
+
 LocalRay into(const Group& group, const std::vector<Pose>& world_from_body, Vec3 from, Vec3 direction) {
   if (!group.moves) return {from - group.middle, direction};
   const Pose& pose = world_from_body[group.body];
@@ -100,6 +171,7 @@ struct Tracer::State {
   std::vector<Box> body_boxes;
   Box scene_box;
   const Scene* scene = nullptr;
+  std::vector<GlassKind> glass;  // [polygon]; empty: none
   std::vector<Pose> static_poses;
   std::vector<bool> parallelogram;  // [polygon]
 
@@ -110,11 +182,16 @@ struct Tracer::State {
 
   void add_group(uint32_t body, bool moves, std::vector<uint32_t> polygons) {
     const auto with_holes = std::stable_partition(polygons.begin(), polygons.end(), [&](uint32_t p) {
-      return !may_have_holes(*scene, scene->polygons[p]);
+      return !may_have_holes(*scene, scene->polygons[p]) &&
+             (glass.empty() || glass[p] == GlassKind::kNone);
+    });
+    const auto of_glass = std::stable_partition(with_holes, polygons.end(), [&](uint32_t p) {
+      return glass.empty() || glass[p] == GlassKind::kNone;
     });
     if (polygons.empty()) return;
     Group& group = groups.emplace_back();
     group.of = scene;
+    group.kinds = &glass;
     group.body = body;
     group.moves = moves;
     std::vector<Vec3> positions;
@@ -131,15 +208,20 @@ struct Tracer::State {
         group.second_of_quad.push_back(t == 1);
       }
     };
+    const auto triangles = [&] { return static_cast<uint32_t>(positions.size() / 3); };
     std::for_each(polygons.begin(), with_holes, add);
-    group.first_with_holes = static_cast<uint32_t>(positions.size() / 3);
-    std::for_each(with_holes, polygons.end(), add);
+    group.first_with_holes = triangles();
+    std::for_each(with_holes, of_glass, add);
+    group.first_of_glass = triangles();
+    std::for_each(of_glass, polygons.end(), add);
     group.middle = middle_of(positions, scene_box.diagonal());
     group.scene = rtcNewScene(device);
     rtcSetSceneFlags(group.scene, RTC_SCENE_FLAG_ROBUST);
     const auto middle = positions.begin() + 3 * static_cast<ptrdiff_t>(group.first_with_holes);
     attach(&group, kWhole, {positions.begin(), middle});
-    attach(&group, kWithHoles, {middle, positions.end()});
+    const auto last = positions.begin() + 3 * static_cast<ptrdiff_t>(group.first_of_glass);
+    attach(&group, kWithHoles, {middle, last});
+    attach(&group, kGlass, {last, positions.end()});
     rtcCommitScene(group.scene);
   }
 
@@ -157,29 +239,34 @@ struct Tracer::State {
             static_cast<float>(positions[i][axis] - group->middle[axis]);
       indices[i] = static_cast<uint32_t>(i);
     }
-    if (number == kWithHoles) {
+    if (number != kWhole) {
+      const auto filter = number == kGlass ? pass_glass : pass_holes;
       rtcSetGeometryUserData(geometry, group);
-      rtcSetGeometryIntersectFilterFunction(geometry, pass_holes);
-      rtcSetGeometryOccludedFilterFunction(geometry, pass_holes);
+      rtcSetGeometryIntersectFilterFunction(geometry, filter);
+      rtcSetGeometryOccludedFilterFunction(geometry, filter);
     }
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(group->scene, geometry, number);
     rtcReleaseGeometry(geometry);
   }
 
-  bool occluded(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction) const {
+  bool occluded(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction,
+                std::vector<Crossing>* crossings) const {
     const LocalRay local = into(group, poses, from, direction);
     if (group.moves && !body_boxes[group.body].meets(local.from + group.middle, local.direction, 1))
       return false;
     RTCRay ray = embree_ray(local, 1.0);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(group.scene, &context, &ray);
+    LightContext light;
+    rtcInitIntersectContext(&light.context);
+    light.is_light = true;
+    light.crossings = crossings;
+    rtcOccluded1(group.scene, &light.context, &ray);
     return ray.tfar < 0;
   }
 
+  // `through`: see closest_through; its crossings are those of all that rays may meet in this group.
   void closest(const Group& group, const std::vector<Pose>& poses, Vec3 from, Vec3 direction, double reach,
-               Nearest* best) const {
+               Nearest* best, bool through = false, std::vector<Crossing>* crossings = nullptr) const {
     const LocalRay local = into(group, poses, from, direction);
     if (best->group) reach = best->distance;
     if (group.moves && !body_boxes[group.body].meets(local.from + group.middle, local.direction, reach))
@@ -187,14 +274,18 @@ struct Tracer::State {
     RTCRayHit query{};
     query.ray = embree_ray(local, reach);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(group.scene, &context, &query);
+    LightContext light;
+    rtcInitIntersectContext(&light.context);
+    light.is_light = light.meets_diffuse = through;
+    light.crossings = crossings;
+    rtcIntersect1(group.scene, &light.context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
     const bool front = query.hit.Ng_x * query.ray.dir_x + query.hit.Ng_y * query.ray.dir_y +
                            query.hit.Ng_z * query.ray.dir_z <
                        0;
-    const uint32_t first = query.hit.geomID == kWithHoles ? group.first_with_holes : 0;
+    const uint32_t first = query.hit.geomID == kWithHoles ? group.first_with_holes
+                           : query.hit.geomID == kGlass   ? group.first_of_glass
+                                                          : 0;
     *best = {&group, first + query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar, front, local};
   }
 
@@ -224,6 +315,7 @@ struct Tracer::State {
 Tracer::Tracer(const Scene& scene) : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.scene = &scene;
+  s.glass = glass_kinds(scene);
   s.static_poses = poses_at(scene, scene.start);
   for (const Polygon& polygon : scene.polygons)
     s.parallelogram.push_back(polygon.corner_count() == 4 && is_parallelogram(scene, polygon));
@@ -249,16 +341,20 @@ Tracer::Tracer(const Scene& scene) : state_(std::make_unique<State>()) {
 
 Tracer::~Tracer() = default;
 
-bool Tracer::occluded(const std::vector<Pose>& world_from_body, Vec3 from, Vec3 to) const {
-  for (const Group& group : state_->groups)
-    if (state_->occluded(group, world_from_body, from, to - from)) return true;
-  return false;
+bool Tracer::occluded(const std::vector<Pose>& world_from_body, Vec3 from, Vec3 to, Rgb* passed) const {
+  return occluded_by(world_from_body, {}, from, to, passed);
 }
 
 bool Tracer::occluded_by(const std::vector<Pose>& world_from_body, const std::vector<bool>& mask, Vec3 from,
-                         Vec3 to) const {
+                         Vec3 to, Rgb* passed) const {
+  thread_local std::vector<Crossing> crossings;
+  crossings.clear();
+  std::vector<Crossing>* const found = passed && has_glass() ? &crossings : nullptr;
   for (const Group& group : state_->groups)
-    if (mask[group.body] && state_->occluded(group, world_from_body, from, to - from)) return true;
+    if ((mask.empty() || mask[group.body]) &&
+        state_->occluded(group, world_from_body, from, to - from, found))
+      return true;
+  if (!crossings.empty()) *passed = *passed * product_of(&crossings, 1e30);
   return false;
 }
 
@@ -276,6 +372,30 @@ SurfaceHit Tracer::closest_of(const std::vector<Pose>& world_from_body, const st
   for (const Group& group : state_->groups)
     if (mask[group.body]) state_->closest(group, world_from_body, from, direction, reach, &best);
   return state_->hit_of(best);
+}
+
+SurfaceHit Tracer::closest_through(const std::vector<Pose>& world_from_body, Vec3 from, Vec3 direction,
+                                   Rgb* passed, const std::vector<bool>& mask) const {
+  constexpr double kReach = 1e30;
+  if (!has_glass() && mask.empty()) return closest(world_from_body, from, direction, kReach);
+  thread_local std::vector<Crossing> crossings;
+  crossings.clear();
+  Nearest best;
+  for (const Group& group : state_->groups)
+    if (mask.empty() || mask[group.body])
+      state_->closest(group, world_from_body, from, direction, kReach, &best, true, &crossings);
+  const SurfaceHit hit = state_->hit_of(best);
+  if (!passed) return hit;
+  *passed = *passed * product_of(&crossings, best.group ? best.distance : kReach);
+  if (hit.polygon != kNone && glass_kind(hit.polygon) != GlassKind::kNone)
+    *passed = (1 / diffuse_part(state_->scene->materials[state_->scene->polygons[hit.polygon].material])) *
+              *passed;
+  return hit;
+}
+
+bool Tracer::has_glass() const { return !state_->glass.empty(); }
+GlassKind Tracer::glass_kind(uint32_t polygon) const {
+  return has_glass() ? state_->glass[polygon] : GlassKind::kNone;
 }
 
 double Tracer::offset() const { return 1e-5 * state_->scene_box.diagonal(); }

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "base/error.h"
+#include "scene/finish_io.h"
 #include "scene/motion_io.h"
 
 namespace strad {
@@ -222,7 +223,7 @@ std::vector<std::string> get_lines(ByteReader* from) {
 }
 
 void decode(ChunkType type, ByteReader* from, Scene* scene, std::vector<bool>* clamps,
-            std::vector<Opacity>* opacities, StoredNormals* normals) {
+            std::vector<Opacity>* opacities, StoredNormals* normals, std::vector<Finish>* finishes) {
   if (type == kProvenance) scene->provenance = get_lines(from);
   if (type == kVertices) scene->vertices = get_points<Vec3>(from, {&Vec3::x, &Vec3::y, &Vec3::z});
   if (type == kTextureCoordinates) scene->uvs = get_points<Vec2>(from, {&Vec2::x, &Vec2::y});
@@ -233,12 +234,14 @@ void decode(ChunkType type, ByteReader* from, Scene* scene, std::vector<bool>* c
   if (type == kTexture) scene->textures.push_back(get_texture(from));
   if (type == kTextureModes) *clamps = get_texture_modes(from);
   if (type == kTextureHoles) *opacities = get_texture_holes(from);
+  if (type == kFinishesChunk) *finishes = get_finishes(from);
   if (type == kMotion) get_motion(from, scene);
 }
 
 constexpr ChunkType kRequired[] = {kVertices, kPolygons, kObjects, kMaterials, kMotion};
 constexpr ChunkType kOptional[] = {kProvenance,   kTextureCoordinates, kTexture,
-                                   kTextureModes, kTextureHoles,       kNormalsChunk};
+                                   kTextureModes, kTextureHoles,       kNormalsChunk,
+                                   kFinishesChunk};
 
 bool contains(std::span<const ChunkType> types, ChunkType type) {
   return std::find(types.begin(), types.end(), type) != types.end();
@@ -259,6 +262,7 @@ std::vector<Chunk> encode_scene(const Scene& scene) {
   if (!scene.normals.empty()) put_normals(add(kNormalsChunk), scene);
   put_objects(add(kObjects), scene.objects);
   put_materials(add(kMaterials), scene.materials);
+  if (has_finishes(scene)) put_finishes(add(kFinishesChunk), scene.materials);
   for (const Texture& texture : scene.textures) put_texture(add(kTexture), texture);
   const bool any_clamp =
       std::any_of(scene.textures.begin(), scene.textures.end(), [](const Texture& t) { return t.clamp; });
@@ -277,7 +281,7 @@ bool SceneDecoder::add(ChunkType type, ByteSpan content, const std::string& plac
   if (type != kTexture && contains(seen_, type)) throw BadInput(place + ": there is one already");
   seen_.push_back(type);
   ByteReader from(content, place);
-  decode(type, &from, &scene_, &clamps_, &opacities_, &normals_);
+  decode(type, &from, &scene_, &clamps_, &opacities_, &normals_, &finishes_);
   from.finish();
   return true;
 }
@@ -294,6 +298,7 @@ Scene SceneDecoder::finish(const std::string& place) {
   check(kTextureHoles, "holes", opacities_.size());
   for (size_t i = 0; i < clamps_.size(); ++i) scene_.textures[i].clamp = clamps_[i];
   for (size_t i = 0; i < opacities_.size(); ++i) scene_.textures[i].opacity = std::move(opacities_[i]);
+  if (contains(seen_, kFinishesChunk)) apply_finishes(finishes_, place, &scene_);
   if (contains(seen_, kNormalsChunk)) apply_normals(std::move(normals_), place, &scene_);
   try {
     validate(scene_);

@@ -29,6 +29,7 @@ class SceneDecoder {
   std::vector<bool> clamps_;        // of the textures
   std::vector<Opacity> opacities_;  // likewise
   StoredNormals normals_;
+  std::vector<Finish> finishes_;
 };
 
 }  // namespace strad

@@ -1,4 +1,5 @@
 // Checks of a scene: all that the rest of the library assumes about it.
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -81,7 +82,26 @@ void check_polygon(const Scene& scene, size_t i) {
     fail("polygon", i, index_fault("its object", polygon.object, scene.objects.size()));
 }
 
+bool is_share(Rgb rgb) {
+  for (int c = 0; c < 3; ++c)
+    if (!(rgb[c] >= 0 && rgb[c] <= 1)) return false;
+  return true;
+}
+
+void check_finish(const Material& material) {
+  constexpr float kMostIor = 100;
+  const Finish& finish = material.finish;
+  if (!is_share(finish.specular))
+    fail("material", material.name, "specular reflectance is not within 0..1");
+  if (!is_share(finish.transmission)) fail("material", material.name, "transmission is not within 0..1");
+  if (!(finish.roughness >= 0 && finish.roughness <= 1))
+    fail("material", material.name, "roughness is not within 0..1");
+  if (!(finish.ior >= 1 / kMostIor && finish.ior <= kMostIor))
+    fail("material", material.name, "index of refraction is not within 0.01..100");
+}
+
 void check_material(const Scene& scene, const Material& material) {
+  check_finish(material);
   const Rgb rho = material.reflectance, emission = material.emission;
   for (int c = 0; c < 3; ++c) {
     if (!(rho[c] >= 0 && rho[c] <= 1)) fail("material", material.name, "reflectance is not within 0..1");
@@ -199,6 +219,11 @@ void validate(const Scene& scene) {
   for (const Spot& spot : scene.spots) check_spot(scene, spot);
   check_glows(scene);
   for (const Camera& camera : scene.cameras) check_camera(camera);
+}
+
+bool has_finishes(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& material) { return !is_plain(material.finish); });
 }
 
 int frame_count(const Scene& scene) {

@@ -11,6 +11,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "import/load_texture.h"
+#include "import/obj/finish.h"
 #include "import/obj/mtl.h"
 
 namespace strad {
@@ -130,6 +131,7 @@ Material MaterialLoader::converted(const MtlMaterial& from) {
   if (textured && is_black(material.reflectance))
     report_->add("map_Kd shows nothing where Kd is 0", from.file, from.texture.line);
   note_holes(from, material);
+  set_finish(from, &material, report_);
   for (const MtlMaterial::Ignored& ignored : from.ignored)
     report_->add(ignored.what, from.file, ignored.line);
   return material;

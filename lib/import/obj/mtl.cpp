@@ -45,7 +45,11 @@ class MtlScanner {
   MtlPicture picture(std::string_view word, std::string_view rest);
   void picture_option(std::string_view word, std::string_view option,
                       const std::vector<std::string_view>& words, MtlPicture* picture);
+  bool of_finish(std::string_view word, std::string_view rest);
   void without_effect(std::string_view word, std::string_view rest);
+  void ignore_if_plain(const std::string& what) {
+    materials_.back().of_finish.push_back({what, lines_.number()});
+  }
   void ignore(const std::string& what) { materials_.back().ignored.push_back({what, lines_.number()}); }
 
   LineReader lines_;
@@ -140,12 +144,49 @@ void MtlScanner::without_effect(std::string_view word, std::string_view rest) {
   const std::optional<double> value = number_in(next_word(&words));
   const bool nothing =
       value && ((*value == 0 &&
-                 is_one_of(word, {"Ns", "Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor", "sharpness"})) ||
-                (*value == 1 && word == "Ni") || (*value >= 1 && *value <= 2 && word == "illum"));
+                 is_one_of(word, {"Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor", "sharpness"})));
   if (!nothing) ignore(std::string(word) + " is ignored");
 }
 
+// Statements that say what a mirror or glass is like. Exporters write them of diffuse surfaces too, so illum
+// decides whether they count.
+bool MtlScanner::of_finish(std::string_view word, std::string_view rest) {
+  MtlMaterial& material = materials_.back();
+  const auto rgb = [&] {
+    const auto c = colour(word, rest);
+    return Rgb{c[0], c[1], c[2]};
+  };
+  if (word == "Ks") {
+    material.specular = rgb();
+    if (!is_black(*material.specular)) ignore_if_plain("Ks is ignored: surfaces are diffuse");
+  } else if (word == "Tf") {
+    material.filter = rgb();
+    ignore_if_plain("Tf is ignored");
+  } else if (word == "d" || word == "Tr") {
+    if (word == "d" && rest.find("-halo") != rest.npos) {
+      ignore("d is ignored: surfaces are opaque");
+      return true;
+    }
+    const float value = number(word, rest);
+    material.dissolve = word == "d" ? value : 1 - value;
+    if (word == "d" ? value < 1 : value > 0)
+      ignore_if_plain(std::string(word) + " is ignored: surfaces are opaque");
+  } else if (word == "Ns" || word == "Ni") {
+    const std::optional<double> value = number_in(next_word(&rest));
+    if (value) (word == "Ns" ? material.exponent : material.ior) = static_cast<float>(*value);
+    if (!value || *value != (word == "Ns" ? 0 : 1)) ignore_if_plain(std::string(word) + " is ignored");
+  } else if (word == "illum") {
+    const std::optional<double> value = number_in(next_word(&rest));
+    material.illum = value && *value >= 0 && *value <= 10 ? static_cast<int>(*value) : 0;
+    if (!value || !(*value >= 1 && *value <= 2)) ignore_if_plain("illum is ignored");
+  } else {
+    return false;
+  }
+  return true;
+}
+
 void MtlScanner::property(std::string_view word, std::string_view rest) {
+  if (of_finish(word, rest)) return;
   const auto is_above_0 = [&] {
     const auto rgb = colour(word, rest);
     return *std::max_element(rgb.begin(), rgb.end()) > 0;
@@ -159,14 +200,8 @@ void MtlScanner::property(std::string_view word, std::string_view rest) {
     materials_.back().opacity = picture(word, rest);
   } else if (word == "map_Ke") {
     ignore("map_Ke is ignored: a material emits evenly");
-  } else if (word == "Ks") {
-    if (is_above_0()) ignore("Ks is ignored: surfaces are diffuse");
   } else if (word == "Ka") {
     if (is_above_0()) ignore("Ka is ignored: all light is computed");
-  } else if (word == "d" || word == "Tr") {
-    const bool halo = word == "d" && rest.find("-halo") != rest.npos;
-    if (halo || (word == "d" ? number(word, rest) < 1 : number(word, rest) > 0))
-      ignore(std::string(word) + " is ignored: surfaces are opaque");
   } else {
     without_effect(word, rest);
   }

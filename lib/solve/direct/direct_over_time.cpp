@@ -30,9 +30,11 @@ void DirectOverTime::add_still_emitters(const SurfacePoint& point, const std::ve
   for (const EmitterSample& sample :
        light_.emitter_samples(brightest_, point, samples_, seed, DirectLight::Which::kStill)) {
     ++*rays;
-    if (tracer_.occluded_by(brightest_.world_from_body, still_mask_, lifted, sample.target)) continue;
+    Rgb through{1, 1, 1};  // what rests
+    if (tracer_.occluded_by(brightest_.world_from_body, still_mask_, lifted, sample.target, &through))
+      continue;
     const Vec3 towards = sample.target - lifted;
-    if (!swept_.may_meet(lifted, towards, 1)) {
+    if (!swept_.may_meet(lifted, towards, 1) && through == Rgb{1, 1, 1}) {
       if (free.empty() || free.back().material != sample.material) free.push_back({{}, 0, sample.material});
       free.back().irradiance += sample.irradiance;
       continue;
@@ -40,12 +42,14 @@ void DirectOverTime::add_still_emitters(const SurfacePoint& point, const std::ve
     for (size_t i = 0; i < time_samples.size(); ++i) {
       const Instant& instant = instants_[time_samples[i]];
       const uint32_t cell = time_samples[i] / static_cast<uint32_t>(grid_.order);
+      Rgb passed = through;
       if (swept_.may_meet_in(cell, lifted, towards, 1)) {
         ++*rays;
-        if (tracer_.occluded_by(instant.world_from_body, moving_mask_, lifted, sample.target)) continue;
+        if (tracer_.occluded_by(instant.world_from_body, moving_mask_, lifted, sample.target, &passed))
+          continue;
       }
-      (*values)[i] +=
-          (sample.irradiance * instant.glow[sample.material]) * scene_.materials[sample.material].emission;
+      (*values)[i] += passed * ((sample.irradiance * instant.glow[sample.material]) *
+                                scene_.materials[sample.material].emission);
     }
   }
   for (const EmitterSample& sum : free)

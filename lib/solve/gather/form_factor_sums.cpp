@@ -18,15 +18,17 @@ struct View {
 View view_of(const GatherSpace& space, const Receiver& receiver) {
   const std::vector<Pose>& poses = space.swept.cell_begin_poses(space.grid.cell_count() / 2);
   const Pose& pose = poses[receiver.body];
-  int lit = 0, unlit = 0;
+  int unlit = 0;
+  float lit = 0;
   for (const RestRay& ray : rays_of(receiver, {}, receiver.rays, space.tracer.offset())) {
-    const uint32_t leaf =
-        space.leaf_of(space.tracer.closest(poses, pose * ray.from, rotate(pose, ray.towards)));
+    Rgb passed{1, 1, 1};
+    const uint32_t leaf = space.leaf_of(
+        space.tracer.closest_through(poses, pose * ray.from, rotate(pose, ray.towards), &passed));
     unlit += leaf == kUnlit;
-    lit += leaf != kUnlit && leaf != kOpenView;
+    if (leaf != kUnlit && leaf != kOpenView) lit += mean_channel(passed);
   }
   const auto all = static_cast<float>(receiver.rays);
-  return {static_cast<float>(lit) / all, static_cast<float>(unlit) / all};
+  return {lit / all, static_cast<float>(unlit) / all};
 }
 
 View view_of(const GatherSpace& space, uint32_t n, int rays) {

@@ -35,6 +35,14 @@ Seen GatherSpace::seen_at(const SurfaceHit& hit) const {
   return {leaf, slopes.factor(leaf, uv)};
 }
 
+Seen GatherSpace::seen_through_glass(const std::vector<Pose>& poses, Vec3 from, Vec3 towards,
+                                    const std::vector<bool>& mask) const {
+  Rgb passed{1, 1, 1};
+  Seen seen = seen_at(tracer.closest_through(poses, from, towards, &passed, mask));
+  seen.weight *= mean_channel(passed);
+  return seen;
+}
+
 namespace {
 
 Seen weighted(Seen seen, float weight) {
@@ -66,8 +74,11 @@ void RayBundle::trace_still(const std::vector<RestRay>& rest_rays) {
   active_.resize(cells_);
   for (const RestRay& ray : rest_rays) {
     const Vec3 from = pose * ray.from, towards = rotate(pose, ray.towards);
-    const SurfaceHit behind = space_.tracer.closest_of(poses, space_.still_mask, from, towards, 1e30);
-    const Seen seen = weighted(space_.seen_at(behind), ray.weight);
+    const bool glass = space_.tracer.has_glass();
+    const SurfaceHit behind =
+        glass ? SurfaceHit{} : space_.tracer.closest_of(poses, space_.still_mask, from, towards, 1e30);
+    const Seen seen =
+        weighted(glass ? space_.seen_through_glass(poses, from, towards, space_.still_mask) : space_.seen_at(behind), ray.weight);
     const double reach = behind.polygon == kNone ? 1e30 : behind.distance;
     if (!space_.swept.may_meet(from, towards, reach)) {
       always_.push_back(seen);
@@ -93,14 +104,18 @@ std::vector<Seen> RayBundle::see(uint32_t span, uint32_t cell) const {
     const RestRay& ray = watched_[i].ray;
     if (moves_) {
       ++rays_;
-      const SurfaceHit hit =
-          space_.tracer.closest(poses, poses[body_] * ray.from, rotate(poses[body_], ray.towards));
-      seen[i] = weighted(space_.seen_at(hit), ray.weight);
+      seen[i] = weighted(
+          space_.seen_through_glass(poses, poses[body_] * ray.from, rotate(poses[body_], ray.towards)),
+          ray.weight);
       continue;
     }
     seen[i] = watched_[i].behind;
     if (!may_meet(i, near)) continue;
     ++rays_;
+    if (space_.tracer.has_glass()) {
+      seen[i] = weighted(space_.seen_through_glass(poses, ray.from, ray.towards), ray.weight);
+      continue;
+    }
     const SurfaceHit hit =
         space_.tracer.closest_of(poses, space_.moving_mask, ray.from, ray.towards, watched_[i].reach);
     if (hit.polygon != kNone) seen[i] = weighted(space_.seen_at(hit), ray.weight);

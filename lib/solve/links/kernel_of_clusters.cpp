@@ -54,9 +54,10 @@ double arriving(const KernelPair& pair, const Exchange& e, int i, const double* 
     if (!(from[j] > 0)) continue;
     ++rays;
     tested += from[j];
+    Rgb passed{1, 1, 1};
     if (!pair.tracer.occluded(pair.poses, x.position + offset * x.normal,
-                              e.parts[j].position + offset * e.parts[j].normal))
-      visible += from[j];
+                              e.parts[j].position + offset * e.parts[j].normal, &passed))
+      visible += from[j] * double{mean_channel(passed)};
   }
   counts->rays += static_cast<uint64_t>(rays);
   return tested > 0 ? unoccluded * visible / tested : 0;

@@ -37,9 +37,11 @@ double irradiance_at(const KernelPair& pair, int i, Vec3 x, Vec3 normal, Emissio
     if (!(k > 1e-7)) continue;
     const Vec3 y = point_within(quarter, hash_of(pair.seed, static_cast<uint64_t>(i * 4 + j)));
     ++counts->rays;
-    if (pair.tracer.occluded(pair.poses, from, y + lift)) continue;
-    at_x += k;
-    emission->shares[j] += k;
+    Rgb passed{1, 1, 1};
+    if (pair.tracer.occluded(pair.poses, from, y + lift, &passed)) continue;
+    const double arriving = k * double{mean_channel(passed)};
+    at_x += arriving;
+    emission->shares[j] += arriving;
   }
   return at_x;
 }

@@ -55,7 +55,7 @@ LightWalks::LightWalks(const Scene& scene, const Tracer& tracer, const std::vect
       const Instant& instant = instants_[w % instants_.size()];
       Start ray = start_of(instant, hash_of(w, 11));
       for (size_t b = 0; b < kBounces; ++b) {
-        const SurfaceHit hit = tracer_.closest(instant.world_from_body, ray.position, ray.direction);
+        const SurfaceHit hit = tracer_.closest_through(instant.world_from_body, ray.position, ray.direction);
         if (hit.polygon == kNone) break;
         const Place place = place_of(instant, hit);
         met[w * kBounces + b] = {2 * hit.polygon + (hit.front ? 0 : 1), place};
@@ -129,7 +129,7 @@ uint32_t LightWalks::side_seen_from(uint32_t side, uint64_t key) const {
   const Instant& instant = instants_[choice_of(seed, instants_.size())];
   const Place place = on_side(instant, side, seed + 1);
   const SurfaceHit hit =
-      tracer_.closest(instant.world_from_body, place.position, cosine_about(place.normal, seed + 7));
+      tracer_.closest_through(instant.world_from_body, place.position, cosine_about(place.normal, seed + 7));
   return hit.polygon == kNone ? kNone : 2 * hit.polygon + (hit.front ? 0 : 1);
 }
 
@@ -145,7 +145,7 @@ LightWalks::Found LightWalks::find_light(uint32_t side, const Box& home, const s
     const uint64_t step = hash_of(seed, static_cast<uint64_t>(b));
     if (sees_lamp(instants_[i], place, step) || sees_met_place(i, place, step + 5)) return Found::kLight;
     const SurfaceHit hit =
-        tracer_.closest(instants_[i].world_from_body, place.position, cosine_about(place.normal, step + 7));
+        tracer_.closest_through(instants_[i].world_from_body, place.position, cosine_about(place.normal, step + 7));
     if (hit.polygon == kNone) return Found::kWayOut;
     if (hit.front && emits(scene_, scene_.polygons[hit.polygon])) return Found::kLight;
     place = place_of(instants_[i], hit);

@@ -79,13 +79,21 @@ std::vector<Box> lamp_boxes(const Scene& scene, const Instant& instant) {
   return boxes;
 }
 
+// Glass that reflects nothing diffusely: all that it receives goes on, or is lost.
+bool only_passes(const Scene& scene, const Tracer& tracer, uint32_t polygon) {
+  return tracer.glass_kind(polygon) != GlassKind::kNone &&
+         is_black(scene.materials[scene.polygons[polygon].material].reflectance);
+}
+
 // By surface: does it enclose its space, with no lamp in its box at any of the instants?
-std::vector<char> surely_dark(const Scene& scene, const ConnectedSurfaces& surfaces,
+std::vector<char> surely_dark(const Scene& scene, const Tracer& tracer, const ConnectedSurfaces& surfaces,
                               const std::vector<Instant>& instants) {
   std::vector<char> dark(surfaces.count());
   std::vector<Box> boxes(surfaces.count());
   for (uint32_t s = 0; s < surfaces.count(); ++s) {
-    dark[s] = surfaces.encloses(s);
+    dark[s] = surfaces.encloses(s) && std::none_of(surfaces.begin(s), surfaces.end(s), [&](uint32_t side) {
+                return tracer.glass_kind(side / 2) != GlassKind::kNone;
+              });
     if (dark[s]) boxes[s] = box_of(scene, surfaces.begin(s), surfaces.end(s));
   }
   for (const Instant& instant : instants) {
@@ -143,7 +151,7 @@ std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const 
   const ConnectedSurfaces surfaces(scene);
   const std::vector<Instant> instants = instants_over(scene, grid);
   const LightWalks walks(scene, tracer, instants);
-  const std::vector<char> dark = surely_dark(scene, surfaces, instants);
+  const std::vector<char> dark = surely_dark(scene, tracer, surfaces, instants);
   const auto is_known_dark = [&](uint32_t side) { return !known_dark.empty() && known_dark[side]; };
   double all_area = 0;
   for (const Polygon& polygon : scene.polygons) all_area += 2 * polygon_area(scene, polygon);
@@ -179,7 +187,8 @@ std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const 
   });
   std::vector<bool> reached(2 * scene.polygons.size());
   for (uint32_t side = 0; side < reached.size(); ++side)
-    reached[side] = on_reached(side) && !covered[side] && !is_known_dark(side);
+    reached[side] = on_reached(side) && !covered[side] && !is_known_dark(side) &&
+                    !only_passes(scene, tracer, side / 2);
   return reached;
 }
 
