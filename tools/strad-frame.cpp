@@ -43,10 +43,10 @@ FrameTool parse_options(int argc, char** argv) {
                  "metres that --show openness looks (default: a tenth of the scene)");
   options.text("--exposure", "EV|auto", &tool.exposure,
                "scale all light by 2^EV (default 0); auto: as the whole animation's brightness asks for");
-  options.text(
-      "--layers", "LIST", &tool.layers,
-      "layers in place of one picture: all, or some of combined, direct, indirect, emission, specular, albedo, "
-      "normal, position, depth, motion, object, material");
+  options.text("--layers", "LIST", &tool.layers,
+               "layers in place of one picture: all, or some of combined, direct, indirect, emission, "
+               "specular, albedo, "
+               "normal, position, depth, motion, object, material");
   options.choice("--tone", {"linear", "srgb", "filmic"}, &tool.encoding.tone,
                  "how whole numbers follow from light (default srgb)");
   options.number("--white", "W", &tool.encoding.white, "radiance shown as white (default 1, filmic 5.6)");

@@ -9,8 +9,9 @@
 namespace strad {
 namespace {
 
-constexpr std::string_view kWords[] = {"combined", "direct", "indirect", "emission", "specular", "albedo",  "normal",
-                                       "position", "depth",  "motion",   "object",   "material"};
+constexpr std::string_view kWords[] = {"combined", "direct", "indirect", "emission",
+                                       "specular", "albedo", "normal",   "position",
+                                       "depth",    "motion", "object",   "material"};
 
 }  // namespace
 

@@ -22,7 +22,8 @@ enum class LayerKind : uint8_t {
   kMaterial
 };
 
-// "combined,depth,motion" or "all", which is all but specular: that is for scenes which have any. Throws BadInput beginning with `option` for other words and for none.
+// "combined,depth,motion" or "all", which is all but specular: that is for scenes which have any. Throws
+// BadInput beginning with `option` for other words and for none.
 std::vector<LayerKind> parse_layers(const std::string& option, const std::string& text);
 
 const char* word_of(LayerKind kind);

@@ -29,7 +29,8 @@ LayeredImage render_layers(Raster* raster, const Scene& scene, const Slab& slab,
   if (std::any_of(kinds.begin(), kinds.end(), is_light)) {
     LightLayers light;
     Image combined = raster->render(slab, camera, time, options, &light);
-    for (Image* one : {&combined, &light.direct, &light.indirect, &light.emission, &light.specular}) expose(one, exposure);
+    for (Image* one : {&combined, &light.direct, &light.indirect, &light.emission, &light.specular})
+      expose(one, exposure);
     for (const LayerKind kind : kinds) {
       if (kind == LayerKind::kCombined) image.layers.push_back(layer_of(combined, ""));
       if (kind == LayerKind::kDirect) image.layers.push_back(layer_of(light.direct, "direct"));

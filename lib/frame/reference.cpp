@@ -56,8 +56,8 @@ Rgb Reference::radiance(const Instant& instant, Sight sight, PathRandom* random)
     lobe.u = random->next();
     lobe.v = random->next();
     const SpecularRays rays =
-        specular_rays(scene_.materials[polygon.material].finish,
-                      tracer_.glass_kind(sight.point.polygon), sight, tracer_.offset(), lobe);
+        specular_rays(scene_.materials[polygon.material].finish, tracer_.glass_kind(sight.point.polygon),
+                      sight, tracer_.offset(), lobe);
     const float mirrored = max_channel(rays.mirrored.share), all = mirrored + max_channel(rays.passed.share);
     if (!(all > 0)) break;
     const bool mirror = random->next() * double{all} < double{mirrored};

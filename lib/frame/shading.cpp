@@ -112,8 +112,8 @@ class SpecularWalk {
     // A stack of shares, for the walk shades surfaces one within another.
     std::vector<GroupShare> shares(view_.group_count);
     const uint64_t key = hash_of(points_.scramble, static_cast<uint64_t>(depth), 29);
-    const Sample sample = shade_diffuse(view_, instant_, sight,
-                                        {first_ * kSpecularRays, kSpecularRays, key}, shares.data());
+    const Sample sample =
+        shade_diffuse(view_, instant_, sight, {first_ * kSpecularRays, kSpecularRays, key}, shares.data());
     sum += share * light_of(view_, sample, shares.data()).all;
     const Polygon& polygon = view_.scene.polygons[sight.point.polygon];
     seen = hash_of(seen, polygon.object * uint64_t{2} + sight.front, polygon.material);
@@ -154,8 +154,7 @@ void add_shadow_rays(const FrameView& view, size_t instant, const Sample& sample
 
 Light light_of(const FrameView& view, const Sample& sample, const GroupShare* shares) {
   Light sum = sample.base;
-  for (size_t l = 0; l < view.group_count; ++l)
-    sum.all += free_colour(shares[l].shadow) * shares[l].radiance;
+  for (size_t l = 0; l < view.group_count; ++l) sum.all += free_colour(shares[l].shadow) * shares[l].radiance;
   return sum;
 }
 

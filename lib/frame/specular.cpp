@@ -67,8 +67,8 @@ SpecularRays specular_rays(const Finish& finish, GlassKind kind, const Sight& si
     rays.mirrored = rough_ray(finish, sight, normal, lobe);
   } else {
     rays.mirrored.direction = mirrored(sight.direction, normal);
-    rays.mirrored.share = kind == GlassKind::kSheet ? mirrored_by_pane(finish, cosine)
-                                                    : mirrored_share(finish, cosine, ior);
+    rays.mirrored.share =
+        kind == GlassKind::kSheet ? mirrored_by_pane(finish, cosine) : mirrored_share(finish, cosine, ior);
   }
   rays.mirrored.direction = above(rays.mirrored.direction, facet);
   rays.mirrored.from = sight.point.position + offset * facet;

@@ -18,7 +18,7 @@ struct Sight {
   bool front = true;
   Vec2 at;  // parametric, on the polygon
   Rgb reflectance;
-  Rgb emission;  // radiance towards the ray's origin, glow included
+  Rgb emission;      // radiance towards the ray's origin, glow included
   Vec3 direction{};  // of the ray, unit length; zero where there was none
 };
 

@@ -72,8 +72,7 @@ std::vector<GlassKind> GlassParts::kinds() {
   for (const auto& [key, edge] : edges_)
     if (edge.forward != edge.backward) open[parts_.find(edge.polygon)] = true;
   const Vec3 origin = scene_.vertices[scene_.polygons[glass_.front()].corners[0]];
-  for (const uint32_t p : glass_)
-    volumes[parts_.find(p)] += volume_under(scene_, scene_.polygons[p], origin);
+  for (const uint32_t p : glass_) volumes[parts_.find(p)] += volume_under(scene_, scene_.polygons[p], origin);
   std::vector<GlassKind> kinds(scene_.polygons.size(), GlassKind::kNone);
   for (const uint32_t p : glass_) {
     const uint32_t part = parts_.find(p);

@@ -105,7 +105,8 @@ void pass_holes(const RTCFilterFunctionNArguments* args) {
 
 // The probability with which a ray of light is to meet the diffuse part of glass.
 float diffuse_part(const Material& material) {
-  const float reflects = mean_channel(material.reflectance), passes = mean_channel(material.finish.transmission);
+  const float reflects = mean_channel(material.reflectance),
+              passes = mean_channel(material.finish.transmission);
   return reflects > 0 ? reflects / (reflects + passes) : 0;
 }
 
@@ -114,10 +115,10 @@ double chance_of(const RTCFilterFunctionNArguments* args, uint32_t triangle) {
   const auto bits = [](float x) { return uint64_t{std::bit_cast<uint32_t>(x)}; };
   RTCRayN* const ray = args->ray;
   const unsigned n = args->N;
-  const uint64_t from = hash_of(bits(RTCRayN_org_x(ray, n, 0)), bits(RTCRayN_org_y(ray, n, 0)),
-                                bits(RTCRayN_org_z(ray, n, 0)));
-  const uint64_t to = hash_of(bits(RTCRayN_dir_x(ray, n, 0)), bits(RTCRayN_dir_y(ray, n, 0)),
-                              bits(RTCRayN_dir_z(ray, n, 0)));
+  const uint64_t from =
+      hash_of(bits(RTCRayN_org_x(ray, n, 0)), bits(RTCRayN_org_y(ray, n, 0)), bits(RTCRayN_org_z(ray, n, 0)));
+  const uint64_t to =
+      hash_of(bits(RTCRayN_dir_x(ray, n, 0)), bits(RTCRayN_dir_y(ray, n, 0)), bits(RTCRayN_dir_z(ray, n, 0)));
   return unit_from(hash_of(from, to, triangle));
 }
 
@@ -182,8 +183,7 @@ struct Tracer::State {
 
   void add_group(uint32_t body, bool moves, std::vector<uint32_t> polygons) {
     const auto with_holes = std::stable_partition(polygons.begin(), polygons.end(), [&](uint32_t p) {
-      return !may_have_holes(*scene, scene->polygons[p]) &&
-             (glass.empty() || glass[p] == GlassKind::kNone);
+      return !may_have_holes(*scene, scene->polygons[p]) && (glass.empty() || glass[p] == GlassKind::kNone);
     });
     const auto of_glass = std::stable_partition(with_holes, polygons.end(), [&](uint32_t p) {
       return glass.empty() || glass[p] == GlassKind::kNone;
@@ -388,8 +388,8 @@ SurfaceHit Tracer::closest_through(const std::vector<Pose>& world_from_body, Vec
   if (!passed) return hit;
   *passed = *passed * product_of(&crossings, best.group ? best.distance : kReach);
   if (hit.polygon != kNone && glass_kind(hit.polygon) != GlassKind::kNone)
-    *passed = (1 / diffuse_part(state_->scene->materials[state_->scene->polygons[hit.polygon].material])) *
-              *passed;
+    *passed =
+        (1 / diffuse_part(state_->scene->materials[state_->scene->polygons[hit.polygon].material])) * *passed;
   return hit;
 }
 

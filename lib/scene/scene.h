@@ -31,12 +31,12 @@ struct Texture {
 // goes straight through. At an angle, the share R of what comes is reflected: the specular reflectance, times
 // what Fresnel's equations say if `fresnel`. Of the rest, 1 - R, the transmission goes through.
 struct Finish {
-  Rgb specular;          // 0..1
-  float roughness = 0;   // 0..1: alpha of a GGX distribution of facets; 0 a perfect mirror; glass is smooth
-  Rgb transmission;      // 0..1, of light that is not reflected; black: opaque
-  float ior = 1.5f;      // index of refraction over that of air, > 0
-  bool fresnel = false;  // the specular reflectance is multiplied by that of a dielectric
-  bool metallic = false; // the specular reflectance grows to white at grazing angles
+  Rgb specular;           // 0..1
+  float roughness = 0;    // 0..1: alpha of a GGX distribution of facets; 0 a perfect mirror; glass is smooth
+  Rgb transmission;       // 0..1, of light that is not reflected; black: opaque
+  float ior = 1.5f;       // index of refraction over that of air, > 0
+  bool fresnel = false;   // the specular reflectance is multiplied by that of a dielectric
+  bool metallic = false;  // the specular reflectance grows to white at grazing angles
   bool operator==(const Finish&) const = default;
 };
 

@@ -239,9 +239,8 @@ void decode(ChunkType type, ByteReader* from, Scene* scene, std::vector<bool>* c
 }
 
 constexpr ChunkType kRequired[] = {kVertices, kPolygons, kObjects, kMaterials, kMotion};
-constexpr ChunkType kOptional[] = {kProvenance,   kTextureCoordinates, kTexture,
-                                   kTextureModes, kTextureHoles,       kNormalsChunk,
-                                   kFinishesChunk};
+constexpr ChunkType kOptional[] = {kProvenance,   kTextureCoordinates, kTexture,      kTextureModes,
+                                   kTextureHoles, kNormalsChunk,       kFinishesChunk};
 
 bool contains(std::span<const ChunkType> types, ChunkType type) {
   return std::find(types.begin(), types.end(), type) != types.end();

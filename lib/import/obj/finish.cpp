@@ -60,9 +60,6 @@ void set_finish(const MtlMaterial& from, Material* material, ImportReport* repor
     set_glass(from, material, report);
   else if (from.is_mirror())
     set_mirror(from, material, report);
-  else
-    for (const MtlMaterial::Ignored& ignored : from.of_finish)
-      report->add(ignored.what, from.file, ignored.line);
   limit_energy(material, from.file, from.line, report);
 }
 

@@ -6,7 +6,7 @@
 namespace strad {
 
 // Gives `material`, which has its reflectance, the finish that `from` asks for, and takes from the
-// reflectance what is mirrored or goes through instead. Reports what has no effect. Throws BadInput.
+// reflectance what is mirrored or goes through instead. Throws BadInput.
 void set_finish(const MtlMaterial& from, Material* material, ImportReport* report);
 
 }  // namespace strad

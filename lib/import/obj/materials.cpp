@@ -132,8 +132,11 @@ Material MaterialLoader::converted(const MtlMaterial& from) {
     report_->add("map_Kd shows nothing where Kd is 0", from.file, from.texture.line);
   note_holes(from, material);
   set_finish(from, &material, report_);
-  for (const MtlMaterial::Ignored& ignored : from.ignored)
-    report_->add(ignored.what, from.file, ignored.line);
+  std::vector<MtlMaterial::Ignored> all = from.ignored;
+  if (!from.is_glass() && !from.is_mirror())
+    all.insert(all.end(), from.of_finish.begin(), from.of_finish.end());
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.line < b.line; });
+  for (const MtlMaterial::Ignored& ignored : all) report_->add(ignored.what, from.file, ignored.line);
   return material;
 }
 

@@ -37,7 +37,7 @@ struct MtlMaterial {
     std::string what;
     uint32_t line = 0;
   };
-  std::vector<Ignored> ignored;  // properties that have no effect in strad
+  std::vector<Ignored> ignored;    // properties that have no effect in strad
   std::vector<Ignored> of_finish;  // those that have none unless illum makes a mirror or glass
 };
 

@@ -36,7 +36,7 @@ Seen GatherSpace::seen_at(const SurfaceHit& hit) const {
 }
 
 Seen GatherSpace::seen_through_glass(const std::vector<Pose>& poses, Vec3 from, Vec3 towards,
-                                    const std::vector<bool>& mask) const {
+                                     const std::vector<bool>& mask) const {
   Rgb passed{1, 1, 1};
   Seen seen = seen_at(tracer.closest_through(poses, from, towards, &passed, mask));
   seen.weight *= mean_channel(passed);
@@ -77,8 +77,9 @@ void RayBundle::trace_still(const std::vector<RestRay>& rest_rays) {
     const bool glass = space_.tracer.has_glass();
     const SurfaceHit behind =
         glass ? SurfaceHit{} : space_.tracer.closest_of(poses, space_.still_mask, from, towards, 1e30);
-    const Seen seen =
-        weighted(glass ? space_.seen_through_glass(poses, from, towards, space_.still_mask) : space_.seen_at(behind), ray.weight);
+    const Seen seen = weighted(
+        glass ? space_.seen_through_glass(poses, from, towards, space_.still_mask) : space_.seen_at(behind),
+        ray.weight);
     const double reach = behind.polygon == kNone ? 1e30 : behind.distance;
     if (!space_.swept.may_meet(from, towards, reach)) {
       always_.push_back(seen);

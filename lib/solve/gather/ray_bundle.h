@@ -27,10 +27,11 @@ struct GatherSpace {
               DirectionGuide direction_guide = {});
   uint32_t leaf_of(const SurfaceHit& hit) const;
   Seen seen_at(const SurfaceHit& hit) const;
-  // What a ray sees through any glass, weighted by the share that arrives; `mask`: of bodies, empty: all. With glass in the scene, what
-  // rests and what moves are traced together: which glass lies before a surface depends on both.
+  // What a ray sees through any glass, weighted by the share that arrives; `mask`: of bodies, empty: all.
+  // With glass in the scene, what rests and what moves are traced together: which glass lies before a surface
+  // depends on both.
   Seen seen_through_glass(const std::vector<Pose>& poses, Vec3 from, Vec3 towards,
-                         const std::vector<bool>& mask = {}) const;
+                          const std::vector<bool>& mask = {}) const;
 
   const NodeTree& tree;
   const Tracer& tracer;

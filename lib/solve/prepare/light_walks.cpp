@@ -144,8 +144,8 @@ LightWalks::Found LightWalks::find_light(uint32_t side, const Box& home, const s
   for (int b = 0; b < kBounces; ++b) {
     const uint64_t step = hash_of(seed, static_cast<uint64_t>(b));
     if (sees_lamp(instants_[i], place, step) || sees_met_place(i, place, step + 5)) return Found::kLight;
-    const SurfaceHit hit =
-        tracer_.closest_through(instants_[i].world_from_body, place.position, cosine_about(place.normal, step + 7));
+    const SurfaceHit hit = tracer_.closest_through(instants_[i].world_from_body, place.position,
+                                                   cosine_about(place.normal, step + 7));
     if (hit.polygon == kNone) return Found::kWayOut;
     if (hit.front && emits(scene_, scene_.polygons[hit.polygon])) return Found::kLight;
     place = place_of(instants_[i], hit);

@@ -187,8 +187,8 @@ std::vector<bool> reached_sides(const Scene& scene, const Tracer& tracer, const 
   });
   std::vector<bool> reached(2 * scene.polygons.size());
   for (uint32_t side = 0; side < reached.size(); ++side)
-    reached[side] = on_reached(side) && !covered[side] && !is_known_dark(side) &&
-                    !only_passes(scene, tracer, side / 2);
+    reached[side] =
+        on_reached(side) && !covered[side] && !is_known_dark(side) && !only_passes(scene, tracer, side / 2);
   return reached;
 }
 

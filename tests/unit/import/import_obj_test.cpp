@@ -233,7 +233,7 @@ TEST_F(ImportObj, map_d_gives_holes) {
 
 TEST_F(ImportObj, names_once_what_has_no_effect) {
   write("m.mtl",
-        "newmtl a\nKa 0.2 0.2 0.2\nKd 0.5 0.5 0.5\nKs 0.1 0.1 0.1\nNs 30\nNi 1.45\nd 0.5\nillum 4\nPr 0.3\n"
+        "newmtl a\nKa 0.2 0.2 0.2\nKd 0.5 0.5 0.5\nKs 0.1 0.1 0.1\nNs 30\nNi 1.45\nd 0.5\nillum 8\nPr 0.3\n"
         "map_Bump b.png\nmap_Ks s.png\nTf 1 0.5 0.5\nrefl -type sphere r.png\n"
         "newmtl b\nKd 0.5 0.5 0.5\nNi 1.3\nmap_Bump c.png\n"
         "newmtl silent\nKa 0 0 0\nKd 0.5 0.5 0.5\nKs 0 0 0\nNs 0\nNi 1\nd 1\nTr 0\nillum 2\nPr 0\n");
@@ -250,6 +250,37 @@ TEST_F(ImportObj, names_once_what_has_no_effect) {
                        "m.mtl:8: illum is ignored", "m.mtl:9: Pr is ignored",
                        "m.mtl:10: map_Bump is ignored (2 in all)", "m.mtl:11: map_Ks is ignored",
                        "m.mtl:12: Tf is ignored", "m.mtl:13: refl is ignored"}));
+}
+
+TEST_F(ImportObj, illum_makes_mirrors_and_glass) {
+  write("m.mtl",
+        "newmtl usual\nKd 0.5 0.5 0.5\nKs 0.5 0.5 0.5\nNs 250\nNi 1.45\nd 1\nillum 2\n"
+        "newmtl mirror\nKd 0.4 0.4 0.4\nKs 0.9 0.6 0.3\nNs 198\nillum 3\n"
+        "newmtl varnish\nKd 0.5 0.5 0.5\nKs 1 1 1\nNi 1.5\nillum 5\n"
+        "newmtl clear\nKd 0.8 0.8 0.8\nNi 1.5\nTf 0.9 0.8 0.7\nillum 7\n"
+        "newmtl milky\nKd 0.8 0.8 0.8\nKs 0 0 0\nd 0.75\nNi 1.3\nillum 9\n"
+        "newmtl glowing\nKd 0.5 0.5 0.5\nKe 1 1 1\nillum 4\n");
+  const Scene scene = import("mtllib m.mtl\n" + kSquare +
+                             "usemtl usual\nf 1 2 3\nusemtl mirror\nf 1 2 3\nusemtl varnish\nf 1 2 3\n"
+                             "usemtl clear\nf 1 2 3\nusemtl milky\nf 1 2 3\nusemtl glowing\nf 1 2 3\n");
+  const std::vector<Material>& m = scene.materials;
+  EXPECT_EQ(m[0].finish, Finish{});  // what exporters write of any surface stays diffuse
+  EXPECT_EQ(m[0].reflectance, (Rgb{0.5f, 0.5f, 0.5f}));
+  EXPECT_EQ(m[1].finish.specular, (Rgb{0.9f, 0.6f, 0.3f}));
+  EXPECT_FLOAT_EQ(m[1].finish.roughness, 0.1f);  // sqrt(2 / (198 + 2))
+  // 1 - 0.9 is left of red, 1 - 0.6 of green; 1 - 0.3 of blue is more than there is.
+  EXPECT_NEAR(m[1].reflectance.r, 0.1f, 1e-6f);
+  EXPECT_NEAR(m[1].reflectance.g, 0.4f, 1e-6f);
+  EXPECT_NEAR(m[1].reflectance.b, 0.4f, 1e-6f);
+  EXPECT_TRUE(m[2].finish.fresnel);
+  EXPECT_EQ(m[2].reflectance, (Rgb{0.5f, 0.5f, 0.5f}));  // 0.04 is mirrored at right angles
+  EXPECT_EQ(m[3].finish.transmission, (Rgb{0.9f, 0.8f, 0.7f}));
+  EXPECT_EQ(m[3].finish.specular, (Rgb{1, 1, 1}));
+  EXPECT_TRUE(m[3].finish.fresnel);
+  EXPECT_TRUE(is_black(m[3].reflectance));
+  EXPECT_EQ(m[4].finish.transmission, (Rgb{0.25f, 0.25f, 0.25f}));  // 1 - d
+  EXPECT_NEAR(m[4].reflectance.r, 0.6f, 1e-6f);                     // d Kd
+  EXPECT_EQ(m[5].finish, Finish{});
 }
 
 // The sides of a column of `sides` quads about the y axis, of radius 1; counter-clockwise from outside.

@@ -196,6 +196,46 @@ TEST(SceneIo, HolesComeBackAndCostNothingWhereThereAreNone) {
   EXPECT_THROW(validate(scene), BadInput);
 }
 
+TEST(SceneIo, FinishesComeBackAndCostNothingWhereThereAreNone) {
+  Scene scene = full_scene();
+  const size_t chunks = encode_scene(scene).size();
+  scene.materials[0].finish = {{0.5f, 0.25f, 0}, 0.125f, {0, 0, 1}, 1.75f, true, true};
+  const std::vector<Chunk> encoded = encode_scene(scene);
+  EXPECT_EQ(encoded.size(), chunks + 1);
+  const Scene back = decoded(encoded);
+  EXPECT_EQ(back.materials[0].finish, scene.materials[0].finish);
+  EXPECT_EQ(back.materials[1].finish, Finish{});
+  for (const Chunk& chunk : encoded) {
+    if (chunk.type != chunk_type("FNSH")) continue;
+    ASSERT_EQ(chunk.content.size(), 67u);  // a count, then 33 bytes for each of two materials
+    Bytes shorter = chunk.content, longer = chunk.content, flags = chunk.content, more = chunk.content;
+    shorter.pop_back(), longer.push_back(0), flags.back() = 4, more[0] = 200;
+    for (const Bytes& bad : {shorter, longer, flags, more})
+      EXPECT_THROW(SceneDecoder().add(chunk.type, bad, "place"), BadInput);
+    SceneDecoder decoder;
+    const Bytes one(chunk.content.begin() + 1, chunk.content.begin() + 34);
+    Bytes of_one{1};
+    of_one.insert(of_one.end(), one.begin(), one.end());
+    for (const Chunk& other : encoded)
+      decoder.add(other.type, other.type == chunk.type ? of_one : other.content, "place");
+    EXPECT_THROW(decoder.finish("stream"), BadInput);  // the finish of one material, but there are two
+  }
+  for (const float wrong : {-0.5f, 1.5f, std::numeric_limits<float>::quiet_NaN()}) {
+    Scene bad = scene;
+    bad.materials[0].finish.specular.g = wrong;
+    EXPECT_THROW(validate(bad), BadInput);
+    bad = scene;
+    bad.materials[0].finish.transmission.b = wrong;
+    EXPECT_THROW(validate(bad), BadInput);
+    bad = scene;
+    bad.materials[0].finish.roughness = wrong;
+    EXPECT_THROW(validate(bad), BadInput);
+    bad = scene;
+    bad.materials[0].finish.ior = wrong == 1.5f ? 0 : wrong;
+    EXPECT_THROW(validate(bad), BadInput);
+  }
+}
+
 TEST(SceneIo, MotionComesBack) {
   const Scene scene = full_scene(), back = decoded(encode_scene(scene));
   EXPECT_EQ(back.start, -1);
