@@ -69,6 +69,44 @@ TEST(Layers, LightOfTheMeshIsDividedToo) {
   EXPECT_NEAR(*pixel(image, "indirect", 2, 2), 1.5 / kPi, 1e-6);
 }
 
+// A furnace with a radiance of 2.5 as above, all light from the mesh, with a mirror of 0.8 before the camera
+// and a block of clear glass: in the mirror it is 2. Glass shares all light out among what it mirrors,
+// 2 R / (1 + R) with R = 0.04, and there shows the mirror behind the camera, and what goes on to the wall:
+// that is 2.5 - 0.5 * 0.08 / 1.04. All of that is specular.
+TEST(Layers, WhatMirrorsAndGlassShowIsALayerOfItsOwn) {
+  Scene scene;
+  add_room(&scene, {0, 0, 0}, {4, 3, 2}, {0.5f, 0.5f, 0.5f}, {1, 1, 1});
+  add_camera(&scene, {2, 1.5, 1}, {4, 1.5, 1}, {0, 0, 1}, 60);
+  const auto size = [&] { return static_cast<uint32_t>(scene.materials.size()); };
+  const uint32_t mirror = size();
+  add_quad(&scene, {3.9, 2.9, 0.1}, {3.9, 0.1, 0.1}, {3.9, 0.1, 1.9}, {3.9, 2.9, 1.9}, {});
+  scene.materials[mirror].finish.specular = {0.8f, 0.8f, 0.8f};
+  const uint32_t walls = size();
+  add_room(&scene, {0.1, 1, 0.5}, {0.4, 2, 1.5}, {}, {});
+  Polygon* const glass = &scene.polygons[scene.polygons.size() - 6];
+  for (uint32_t p = 0; p < 6; ++p) glass[p].material = walls, glass[p].object = glass[0].object;
+  scene.materials[walls].finish = {{1, 1, 1}, 0, {1, 1, 1}, 1.5f, true, false};
+  Raster raster(scene);
+  const float pi = static_cast<float>(kPi);
+  const Slab slab = even_slab(scene, {3 * pi, 3 * pi, 3 * pi});  // 1 + 0.5 * 3 pi / pi = 2.5
+  RasterOptions options = sized(12, 8);
+  options.direct = DirectFrom::kMesh;
+  const std::vector<LayerKind> kinds = parse_layers("", "combined,direct,indirect,emission,specular");
+  const LayeredImage at_mirror = render_layers(&raster, scene, slab, scene.cameras[0], 0, options, 0, kinds);
+  scene.cameras[0].keys[0].to = {0, 1.5, 1};
+  const LayeredImage at_glass = render_layers(&raster, scene, slab, scene.cameras[0], 0, options, 0, kinds);
+  EXPECT_NEAR(*pixel(at_mirror, "specular", 1, 4), 2, 0.02);  // away from the image of the glass
+  EXPECT_NEAR(*pixel(at_glass, "specular", 5, 4), 2.5 - 0.5 * 0.08 / 1.04, 0.01);
+  for (const LayeredImage* image : {&at_mirror, &at_glass})
+    for (uint32_t y = 0; y < 8; ++y)
+      for (uint32_t x = 0; x < 12; ++x) {
+        float sum = 0;
+        for (const char* name : {"direct", "indirect", "emission", "specular"})
+          sum += *pixel(*image, name, x, y);
+        EXPECT_NEAR(sum, *pixel(*image, "", x, y), 1e-5);
+      }
+}
+
 // A camera 2 m above a floor that ends at x = 0, looking down, 90 degrees high: the picture is 4 m high, and
 // with 8 x 8 pixels a pixel is half a metre wide.
 Scene floor_from_above() {
