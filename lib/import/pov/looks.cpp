@@ -24,6 +24,7 @@ void set_sums(PovTexture* texture, Rgb reflectance, Rgb emission) {
   PovPigment& pigment = texture->pigment;
   finish.diffuse = 1;
   finish.reflection = {};
+  finish.fresnel = false;
   finish.ambient = {};
   const float opaque = static_cast<float>(pigment.opacity);
   pigment.colour = opaque > 0 ? (1 / opaque) * reflectance : Rgb{};
@@ -46,7 +47,7 @@ void take_remarks(PovTexture* to, const PovTexture& from) {
 
 bool is_plain(const PovFinish& a, const PovFinish& b) {
   return a.diffuse == b.diffuse && a.ambient == b.ambient && a.emission == b.emission &&
-         a.reflection == b.reflection && a.metallic == b.metallic;
+         a.reflection == b.reflection && a.metallic == b.metallic && a.fresnel == b.fresnel;
 }
 
 }  // namespace
@@ -79,6 +80,26 @@ Rgb reflectance_of(const PovTexture& texture) {
   const Rgb colour = texture.pigment.colour;
   const Rgb mirror = finish.metallic ? finish.reflection * colour : finish.reflection;
   return static_cast<float>(texture.pigment.opacity) * (static_cast<float>(finish.diffuse) * colour + mirror);
+}
+
+Rgb diffuse_of(const PovTexture& texture) {
+  const auto share = static_cast<float>(texture.pigment.opacity);
+  return share * (static_cast<float>(texture.finish.diffuse) * texture.pigment.colour);
+}
+
+// POV-Ray's fresnel needs an interior; without one, that of common glass is meant.
+Finish finish_of(const PovTexture& texture) {
+  const PovFinish& of = texture.finish;
+  Finish finish;
+  finish.fresnel = of.fresnel;
+  finish.metallic = of.metallic && !of.fresnel && !is_black(of.reflection);
+  finish.specular = of.metallic ? of.reflection * texture.pigment.colour : of.reflection;
+  for (int c = 0; c < 3; ++c) finish.specular[c] = std::clamp(finish.specular[c], 0.0f, 1.0f);
+  if (texture.pigment.opacity < kOpaque) finish.transmission = texture.pigment.passes;
+  const bool clear = !is_black(finish.transmission);
+  if (texture.ior > 0 && (texture.ior != 1 || (clear && !of.fresnel)))
+    finish.ior = static_cast<float>(texture.ior);
+  return is_plain(finish) ? Finish{} : finish;
 }
 
 Rgb emission_of(const PovTexture& texture) {

@@ -27,7 +27,9 @@ PovTexture layered(const PovTexture& top, const PovTexture& bottom);
 
 // What a texture reflects and emits. `ambient` stands for indirect light, which strad computes, so it is
 // ignored: only a surface that reflects nothing is taken to emit it.
-Rgb reflectance_of(const PovTexture& texture);
+Rgb reflectance_of(const PovTexture& texture);  // diffuse, a mirror included
+Rgb diffuse_of(const PovTexture& texture);      // without a mirror
+Finish finish_of(const PovTexture& texture);    // mirror and glass
 Rgb emission_of(const PovTexture& texture);
 
 }  // namespace strad

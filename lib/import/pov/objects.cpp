@@ -282,9 +282,10 @@ bool PovSceneReader::modifier(Modifiers* modifiers, PovObject* object) {
              in_.next_is("uv_mapping") || in_.next_is("smooth") || in_.next_is("no_radiosity")) {
     in_.take();
     if (in_.expression_is_next()) in_.numbers();
-  } else if (in_.next_is("normal") || in_.next_is("interior") || in_.next_is("interior_texture") ||
-             in_.next_is("bounded_by") || in_.next_is("photons") || in_.next_is("radiosity") ||
-             in_.next_is("inside_vector")) {
+  } else if (in_.take_if("interior")) {
+    modifiers->ior = interior_ior();
+  } else if (in_.next_is("normal") || in_.next_is("interior_texture") || in_.next_is("bounded_by") ||
+             in_.next_is("photons") || in_.next_is("radiosity") || in_.next_is("inside_vector")) {
     in_.skip_item();
   } else {
     return false;
@@ -308,7 +309,9 @@ void PovSceneReader::finish_object(PovObject* object, const Modifiers& modifiers
   if (modifiers.inverse) *object = pov_inverse(std::move(*object));
   for (PovFacet& facet : object->facets) facet.no_shadow = facet.no_shadow || modifiers.no_shadow;
   if (!modifiers.texture) return;
-  const PovSurfacePointer surface = surface_of(*modifiers.texture);
+  PovTexture texture = *modifiers.texture;
+  texture.ior = modifiers.ior.value_or(texture.ior);
+  const PovSurfacePointer surface = surface_of(texture);
   for (PovFacet& facet : object->facets)
     if (!facet.surface || !object->compound) facet.surface = surface;
 }

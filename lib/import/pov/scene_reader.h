@@ -69,7 +69,8 @@ class PovSceneReader : private PovStatements {
   PovTexture layers(PovTexture texture);
   PovFinish finish_block(const PovFinish& base);
   bool finish_light(PovFinish* finish);
-  Rgb mirror_colour(bool* metallic);
+  void mirror(PovFinish* finish);
+  double interior_ior();
   PovTexture material_block(const PovTexture& base);
   PovSurfacePointer surface_of(const PovTexture& texture);
   static PovSurfacePointer mean_of(const PovSurfacePointer& a, const PovSurfacePointer& b,
@@ -97,6 +98,7 @@ class PovSceneReader : private PovStatements {
   struct Modifiers {
     PovTransform transform;
     std::optional<PovTexture> texture;
+    std::optional<double> ior;
     bool textured = false;  // by a `texture`: others are layers on it
     bool no_shadow = false, inverse = false;
   };

@@ -14,6 +14,7 @@
 #include "base/vec.h"
 #include "import/pov/box_tree.h"
 #include "import/pov/language/values.h"
+#include "scene/scene.h"
 
 namespace strad {
 
@@ -58,8 +59,9 @@ struct PovPigment {
 struct PovFinish {
   double diffuse = 0.6;   // POV-Ray's default
   Rgb ambient, emission;  // 0 unless the file sets it; POV-Ray's default of 0.1 is not used
-  Rgb reflection;         // of a mirror, taken as diffuse
+  Rgb reflection;         // of a mirror
   bool metallic = false;  // the mirror's colour is also that of the pigment
+  bool fresnel = false;   // the mirror is that of a dielectric
   std::optional<PovProblem> problem;
   std::optional<PovProblem> note;         // highlights, which are ignored
   std::optional<PovProblem> mirror_note;  // what became of the mirror
@@ -70,6 +72,7 @@ struct PovTexture {
   PovPigment pigment;
   PovFinish finish;
   PovPlace place;
+  double ior = 1;  // of the interior
 };
 
 // The entries of a color_map, pigment_map or texture_map: the values of a pattern at which they stand.
@@ -78,10 +81,11 @@ struct PovMap {
   std::vector<std::pair<double, PovTexture>> entries;
 };
 
-// A texture as reflectance and emission.
+// A texture as reflectance, emission and finish.
 struct PovSurface {
   std::string name;  // of its texture or pigment; "" where neither was declared
   Rgb reflectance, emission;
+  Finish finish;
   std::shared_ptr<const PovImage> image;  // multiplies the reflectance
   bool clear = false;                     // all light passes
   std::vector<PovProblem> problems, notes;

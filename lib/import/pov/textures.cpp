@@ -65,35 +65,72 @@ PovTexture PovSceneReader::material_block(const PovTexture& base) {
   PovTexture texture = base;
   in_.expect("{");
   if (const auto known = in_.named<PovTexture>()) texture = *known;
+  double ior = texture.ior;
   while (!in_.take_if("}")) {
     PovTransform ignored;
     if (in_.take_if("texture")) {
       texture = layers(texture_block(base));
+    } else if (in_.take_if("interior")) {
+      ior = interior_ior();
     } else if (!transformation(&ignored)) {
       if (in_.peek().kind != PovKind::kWord) in_.fail_expected("texture or }");
       in_.skip_item();
     }
   }
+  texture.ior = ior;
   return texture;
 }
 
-// The rest of `reflection`: a colour, or { [darkest,] brightest, words }. Returns the brightest.
-Rgb PovSceneReader::mirror_colour(bool* metallic) {
+// The rest of `reflection`: a colour, or { [darkest,] brightest, words }. A mirror that grows from darkest to
+// brightest is taken as that of a dielectric where the darkest is black, else as their mean.
+void PovSceneReader::mirror(PovFinish* finish) {
   const auto colour = [this] { return plain_pigment(in_.numbers()).colour; };
-  if (!in_.take_if("{")) return colour();
-  Rgb brightest;
+  finish->metallic = finish->fresnel = false;
+  if (!in_.take_if("{")) {
+    finish->reflection = colour();
+    return;
+  }
+  std::vector<Rgb> colours;
+  bool grows = false;
   while (!in_.take_if("}")) {
     if (in_.take_if(",")) continue;
     if (in_.expression_is_next()) {
-      brightest = colour();
+      colours.push_back(colour());
+    } else if (in_.take_if("fresnel")) {
+      finish->fresnel = !in_.expression_is_next() || in_.number() != 0;
     } else if (in_.peek().kind == PovKind::kWord) {
-      *metallic = *metallic || in_.next_is("metallic");
+      finish->metallic = finish->metallic || in_.next_is("metallic");
       in_.skip_item();
     } else {
       in_.fail_expected("a colour or }");
     }
   }
-  return brightest;
+  finish->reflection = colours.empty() ? Rgb{} : colours.back();
+  grows = colours.size() > 1 && !finish->fresnel;
+  if (grows && is_black(colours.front()))
+    finish->fresnel = true;
+  else if (grows)
+    finish->reflection = 0.5f * (colours.front() + colours.back());
+}
+
+// The rest of `interior`: its index of refraction. Of a declared one, that is not known.
+double PovSceneReader::interior_ior() {
+  constexpr double kOfGlass = 1.5;
+  double ior = 1;
+  in_.expect("{");
+  while (!in_.take_if("}")) {
+    if (in_.take_if("ior")) {
+      ior = in_.number();
+    } else if (in_.peek().kind == PovKind::kWord) {
+      if (!is_one_of(in_.peek().text, {"media", "caustics", "dispersion", "dispersion_samples",
+                                       "fade_distance", "fade_power", "fade_color", "fade_colour"}))
+        ior = kOfGlass;
+      in_.skip_item();
+    } else {
+      in_.take();
+    }
+  }
+  return ior;
 }
 
 bool PovSceneReader::finish_light(PovFinish* finish) {
@@ -107,11 +144,9 @@ bool PovSceneReader::finish_light(PovFinish* finish) {
     finish->diffuse = in_.number();
     if (in_.take_if(",")) in_.number();  // of light from behind
   } else if (in_.take_if("reflection")) {
-    bool metallic = false;
-    finish->reflection = mirror_colour(&metallic);
-    finish->metallic = metallic;
+    mirror(finish);
     if (!is_black(finish->reflection))
-      finish->mirror_note = PovProblem{"mirror reflection is taken as diffuse", at};
+      finish->mirror_note = PovProblem{"mirror reflection in layers or a pattern is taken as diffuse", at};
   } else {
     return false;
   }
@@ -166,17 +201,18 @@ PovSurfacePointer PovSceneReader::surface_of(const PovTexture& texture) {
   const PovFinish& finish = texture.finish;
   surface->name = texture.name.empty() ? pigment.name : texture.name;
   surface->place = texture.place;
-  surface->reflectance = reflectance_of(texture);
+  surface->reflectance = diffuse_of(texture);
+  surface->finish = finish_of(texture);
   surface->emission = emission_of(texture);
   surface->image = pigment.image;
   const float least = std::min({pigment.passes.r, pigment.passes.g, pigment.passes.b});
-  surface->clear = pigment.opacity <= kClear && least >= 1 - kClear;
-  if (pigment.opacity < kOpaque && !surface->clear)
-    surface->problems.push_back({"transparency of a pigment", texture.place});
+  surface->clear =
+      pigment.opacity <= kClear && least >= 1 - kClear && texture.ior == 1 && is_black(finish.reflection);
   if (pigment.problem) surface->problems.push_back(*pigment.problem);
   if (finish.problem) surface->problems.push_back(*finish.problem);
-  for (const auto& note : {pigment.note, finish.note, finish.mirror_note})
+  for (const auto& note : {pigment.note, finish.note})
     if (note) surface->notes.push_back(*note);
+  if (finish.mirror_note && is_black(finish.reflection)) surface->notes.push_back(*finish.mirror_note);
   return surface;
 }
 

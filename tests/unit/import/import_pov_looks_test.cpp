@@ -74,19 +74,47 @@ TEST_F(ImportPovLooks, layers_show_what_is_below) {
   // A filter of 0.5 lets 0.5 of its own colour through: 0.5 * 0.8 + 0.4 * 0.4.
   expect_near(reflectance("texture { pigment { rgb .4 } } texture { pigment { rgbf <.8, .8, .8, .5> } }"),
               {0.56f, 0.56f, 0.56f});
-  EXPECT_THROW(reflectance("texture { pigment { rgbt .5 } }"), BadInput);
   const Scene clear = import("box { 0, 1 pigment { rgbt 1 } }\nsphere { 9, 1 pigment { rgb 1 } }");
   for (const Polygon& polygon : clear.polygons) EXPECT_EQ(clear.objects[polygon.object].name, "sphere");
   EXPECT_TRUE(noted("clear surface left out: all light passes"));
 }
 
-TEST_F(ImportPovLooks, finishes_reflect_diffusely) {
-  expect_near(reflectance("pigment { rgb .5 } finish { diffuse .6 reflection .2 }"), {0.5f, 0.5f, 0.5f});
-  EXPECT_TRUE(noted("mirror reflection is taken as diffuse"));
-  // The mirror of a metal has its colour: 0.5 * 0.6 + 0.5 * 0.4.
+TEST_F(ImportPovLooks, finishes_are_mirrors_and_glass) {
+  const auto looks = [&](const std::string& modifiers) {
+    return import("box { 0, 1 " + modifiers + " }").materials[0];
+  };
+  Material m = looks("pigment { rgb .5 } finish { diffuse .6 reflection .2 }");
+  expect_near(m.reflectance, {0.3f, 0.3f, 0.3f});
+  expect_near(m.finish.specular, {0.2f, 0.2f, 0.2f});
+  EXPECT_FALSE(m.finish.fresnel || m.finish.metallic);
+  // The mirror of a metal has its colour: 0.5 * 0.4.
+  m = looks("pigment { rgb .5 } finish { diffuse .6 reflection { .4 metallic } }");
+  expect_near(m.finish.specular, {0.2f, 0.2f, 0.2f});
+  EXPECT_TRUE(m.finish.metallic);
+  m = looks("pigment { rgb .5 } finish { reflection { 0, 1 fresnel on } } interior { ior 1.3 }");
+  EXPECT_TRUE(m.finish.fresnel);
+  EXPECT_FLOAT_EQ(m.finish.ior, 1.3f);
+  // No more light is sent back than comes: 1 - 0.8 is left.
+  m = looks("pigment { rgb .5 } finish { diffuse .6 reflection .8 }");
+  expect_near(m.reflectance, {0.2f, 0.2f, 0.2f});
+  EXPECT_TRUE(noted("diffuse reflectance is lowered to what mirror and glass leave of the light"));
+  // A filter of 0.5 lets 0.5 of its own colour through; the other half is opaque, with a diffuse of 0.6.
+  m = looks("pigment { rgbf <.8, .6, .4, .5> } finish { diffuse .6 } interior { ior 1.5 fade_power 2 }");
+  expect_near(m.finish.transmission, {0.4f, 0.3f, 0.2f});
+  expect_near(m.reflectance, {0.24f, 0.18f, 0.12f});
+  EXPECT_FLOAT_EQ(m.finish.ior, 1.5f);
+  // Clear, but it bends what is seen: it is not left out.
+  m = looks("pigment { rgbt 1 } interior { ior 1.5 }");
+  expect_near(m.finish.transmission, {1, 1, 1});
+  // In a mean over a pattern of finishes a mirror is diffuse: (0.6 * 0.5 + 0.2 + 0.6 * 0.5) / 2.
   expect_near(
-      reflectance("pigment { rgb .5 } finish { diffuse .6 reflection { 0, .4 fresnel on metallic } }"),
-      {0.5f, 0.5f, 0.5f});
+      reflectance("texture { checker texture { pigment { rgb .5 } finish { diffuse .6 reflection .2 } }"
+                  " texture { pigment { rgb .5 } finish { diffuse .6 } } }"),
+      {0.4f, 0.4f, 0.4f});
+  EXPECT_TRUE(noted("mirror reflection in layers or a pattern is taken as diffuse"));
+}
+
+TEST_F(ImportPovLooks, reflectances_are_limited) {
   expect_near(reflectance("pigment { rgb <3, .5, -1> }"), {0.98f, 0.5f, 0});
   EXPECT_TRUE(noted("reflectance above 0.98 is taken as 0.98"));
   EXPECT_TRUE(noted("negative reflectance is taken as 0"));

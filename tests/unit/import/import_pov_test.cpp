@@ -267,8 +267,6 @@ TEST_F(ImportPov, refuses_by_name_what_it_cannot_show) {
       {"box { 0, 1 }\nquadric { <0, 1, 0>, 0, 0, -1 }",
        "room.pov:2: quadric without bounds is not supported"},
       {"box { 0, 1 pigment { checkers rgb 0, rgb 1 } }", "room.pov:1: pigment checkers is not supported"},
-      {"box { 0, 1\npigment { rgbt <1, 1, 1, 0.5> } }",
-       "room.pov:2: transparency of a pigment is not supported"},
       {"media { emission 1 }", "room.pov:1: media is not supported"},
       {"background { rgb 1 }\nglobal_settings { radiosity { count 9 } }",
        "room.pov:1: background light with radiosity, which lights the scene, is not supported"},
