@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "frame/specular.h"
 #include "image/srgb.h"
 #include "scene/texture.h"
 
@@ -20,14 +21,24 @@ Rgb at_least(Rgb colour, float least) {
 void write_textures(const PovShading& shading, const ExportBody& body, size_t begin, size_t end,
                     const PovIdentifiers& names, PovText* out) {
   const ExportCorner& corner = body.corners[begin];
-  const std::string light = "strad_radiance_" + names.bodies[body.body] + "[strad_i]";
+  std::string light = "strad_radiance_" + names.bodies[body.body] + "[strad_i]";
   *out << "    #for (strad_i, " << begin << ", " << end - 1 << ") texture { pigment { ";
+  const Rgb passes = shading.passes(corner.material);
+  const std::string mirror = shading.mirror(corner.material);
+  if (shading.is_clear(corner.material) && !is_black(passes)) {
+    *out << "rgb " << passes << " filter 1 } finish { strad_finish diffuse 0" << mirror << " } } #end\n";
+    return;
+  }
+  // What is opaque of glass shows all of the light: POV-Ray multiplies it by how opaque the pigment is.
+  const float transmit = std::min(mean_channel(passes), 0.999f);
+  if (transmit > 0) light += "/" + std::to_string(1 - transmit);
+  const std::string through = transmit > 0 ? " transmit " + std::to_string(transmit) : "";
   if (shading.has_pigment(corner)) {
     *out << (shading.has_image(corner) ? "strad_image_" : "strad_pigment_")
-         << names.materials[corner.material] << " } finish { strad_finish emission rgb strad_exposure*"
-         << light;
+         << names.materials[corner.material] << through
+         << " } finish { strad_finish emission rgb strad_exposure*" << light << mirror;
   } else {
-    *out << "rgb " << light << " } finish { strad_finish emission strad_exposure";
+    *out << "rgb " << light << through << " } finish { strad_finish emission strad_exposure" << mirror;
   }
   *out << " } } #end\n";
 }
@@ -62,7 +73,35 @@ PovShading::PovShading(const Scene& scene, bool baked)
     const Material& material = scene.materials[m];
     const bool emits = !is_black(material.emission);
     pigment_.push_back(emits ? at_least(textured_reflectance_[m], kLeastPigment) : material.reflectance);
+    bends_.push_back(material.finish.fresnel && is_black(material.finish.transmission));
   }
+  const std::vector<GlassKind> kinds = glass_kinds(scene);
+  for (size_t p = 0; p < kinds.size(); ++p)
+    if (kinds[p] == GlassKind::kSolid || kinds[p] == GlassKind::kInverted)
+      bends_[scene.polygons[p].material] = true;
+}
+
+std::string PovShading::mirror(size_t material) const {
+  const Finish& finish = scene_.materials[material].finish;
+  if (is_black(finish.specular)) return "";
+  PovText text;
+  if (finish.fresnel)
+    text << " reflection { rgb 0, rgb " << finish.specular << " fresnel on }";
+  else
+    text << " reflection { rgb " << finish.specular << " }";
+  return text.take();
+}
+
+bool PovShading::is_clear(size_t material) const {
+  const Material& m = scene_.materials[material];
+  return is_black(m.reflectance) && is_black(m.emission);
+}
+
+float PovShading::ior_of(const ExportBody& body, bool glass) const {
+  for (const ExportCorner& corner : body.corners)
+    if (bends_[corner.material] && is_black(passes(corner.material)) != glass)
+      return scene_.materials[corner.material].finish.ior;
+  return 1;
 }
 
 bool PovShading::image_of(size_t material) const {
@@ -97,22 +136,51 @@ void write_pigments(const Scene& scene, const PovShading& shading, const PovIden
   }
 }
 
-void write_body(const PovShading& shading, const ExportBody& body, const PovIdentifiers& names,
+namespace {
+
+// The triangles of a body that are glass, or all others, as a mesh.
+void write_mesh(const PovShading& shading, const ExportBody& body, bool glass, const PovIdentifiers& names,
                 PovText* out) {
   const std::vector<ExportCorner>& corners = body.corners;
-  *out << "#declare strad_body_" << names.bodies[body.body] << " = mesh2 {\n  vertex_vectors { "
-       << corners.size() << ",\n";
+  *out << "mesh2 {\n  vertex_vectors { " << corners.size() << ",\n";
   for (const ExportCorner& corner : corners) *out << corner.position << "\n";
   *out << "  }\n";
   const auto has_image = [&](const ExportCorner& corner) { return shading.has_image(corner); };
   if (std::any_of(corners.begin(), corners.end(), has_image)) write_uvs(corners, out);
   write_texture_list(shading, body, names, out);
-  *out << "  face_indices { " << body.triangles.size() << ",\n";
-  for (const auto& [a, b, c] : body.triangles) {
+  const auto wanted = [&](const auto& triangle) {
+    return is_black(shading.passes(corners[triangle[0]].material)) != glass;
+  };
+  *out << "  face_indices { "
+       << static_cast<size_t>(std::count_if(body.triangles.begin(), body.triangles.end(), wanted)) << ",\n";
+  for (const auto& triangle : body.triangles) {
+    if (!wanted(triangle)) continue;
+    const auto& [a, b, c] = triangle;
     // POV-Ray's space is left-handed: its front sides are clockwise, ours counter-clockwise.
     *out << "<" << a << "," << c << "," << b << ">," << a << "," << c << "," << b << "\n";
   }
-  *out << "  }\n  texture { strad_dark } interior_texture { strad_dark }\n}\n";
+  *out << "  }\n";
+  // Glass is seen from inside too.
+  if (!glass) *out << "  texture { strad_dark } interior_texture { strad_dark }\n";
+  const float ior = shading.ior_of(body, glass);
+  if (ior != 1) *out << "  interior { ior " << ior << " }\n";
+  *out << "}\n";
+}
+
+}  // namespace
+
+void write_body(const PovShading& shading, const ExportBody& body, const PovIdentifiers& names,
+                PovText* out) {
+  const auto is_glass = [&](const auto& triangle) {
+    return !is_black(shading.passes(body.corners[triangle[0]].material));
+  };
+  const bool any = std::any_of(body.triangles.begin(), body.triangles.end(), is_glass);
+  const bool all = any && std::all_of(body.triangles.begin(), body.triangles.end(), is_glass);
+  *out << "#declare strad_body_" << names.bodies[body.body] << " = ";
+  if (!any || all) return write_mesh(shading, body, all, names, out);
+  *out << "union {\n";
+  for (const bool glass : {false, true}) write_mesh(shading, body, glass, names, out);
+  *out << "}\n";
 }
 
 std::string pov_image(const Scene& scene, const Material& material) {

@@ -28,11 +28,19 @@ class PovShading {
   // Whether the pigment is the material's colour or image, and not the colour in the frame's file.
   bool has_pigment(const ExportCorner& corner) const { return !baked_ || has_image(corner); }
   Rgb pigment(size_t material) const { return pigment_[material]; }
+  // The finish words of a material's mirror; "": none.
+  std::string mirror(size_t material) const;
+  // The share of light that a material lets through, 0 if it is opaque.
+  Rgb passes(size_t material) const { return scene_.materials[material].finish.transmission; }
+  bool is_clear(size_t material) const;  // it reflects nothing diffusely and emits nothing
+  // The index of refraction of a body's first solid glass, or first dielectric mirror; 1: there is none.
+  float ior_of(const ExportBody& body, bool glass) const;
 
  private:
   const Scene& scene_;
   bool baked_;
   std::vector<Rgb> textured_reflectance_, pigment_;  // per material
+  std::vector<bool> bends_;                          // per material: solid glass or a dielectric mirror
 };
 
 // Names in the files, per body and per material; "" for materials without an image file.

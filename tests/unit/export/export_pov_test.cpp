@@ -58,6 +58,26 @@ TEST(PovExport, OtherwiseCornersHoldIndirectRadiosityOfWhite) {
   EXPECT_TRUE(holds(geometry, "diffuse 1")) << geometry;
 }
 
+TEST(PovExport, MirrorsAndGlassKeepTheirFinish) {
+  Scene scene = square_scene();
+  scene.materials[0].finish.specular = {0.25f, 0.25f, 0.5f};
+  const auto geometry = [&] {
+    const Solution solution = lit_square(scene);
+    const PovExport pov(scene, solution, {{1, 0}}, options_for(scene, PovLighting::kBaked));
+    return find(pov.common_files(), "out/s_geometry.inc");
+  };
+  EXPECT_TRUE(holds(geometry(), "reflection { rgb <25000e-5,25000e-5,50000e-5> }")) << geometry();
+  // Half opaque: POV-Ray halves the light of the pigment, which is therefore doubled.
+  scene.materials[0].finish = {{1, 1, 1}, 0, {0.5f, 0.5f, 0.5f}, 1.5f, true, false};
+  EXPECT_TRUE(holds(geometry(), "rgb strad_radiance_world[strad_i]/0.500000 transmit 0.500000"))
+      << geometry();
+  EXPECT_TRUE(holds(geometry(), "fresnel on")) << geometry();
+  scene.materials[0].reflectance = {};
+  EXPECT_TRUE(holds(geometry(), "rgb <50000e-5,50000e-5,50000e-5> filter 1 }")) << geometry();
+  EXPECT_FALSE(holds(geometry(), "interior_texture"));  // else its inner side would be black
+  EXPECT_FALSE(holds(geometry(), "ior"));               // a pane bends nothing
+}
+
 // Le + rho E / pi = 3 * 2 + 0.15915 in red; black paint still emits: the value times the least pigment.
 TEST(PovExport, EmittersGlowWhateverTheyReflect) {
   Scene scene = square_scene();
