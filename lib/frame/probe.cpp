@@ -116,7 +116,7 @@ Rgb Probe::direct(const LightsAtInstant& lights, const SurfacePoint& point) cons
     ShadowRays shadow;
     add_shadow_rays(tracer_, lights.instant, group, point, irradiance, {0, options_.shadow_rays, 0}, &seen,
                     &shadow);
-    sum += static_cast<float>(irradiance) * free_fraction(shadow) * group.radiance;
+    sum += static_cast<float>(irradiance) * free_colour(shadow) * group.radiance;
   }
   return sum;
 }

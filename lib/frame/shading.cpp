@@ -71,8 +71,9 @@ Sample shade_diffuse(const FrameView& view, size_t instant, const Sight& sight, 
 
 // Rays that make less of a sample than this are not followed.
 constexpr float kLeastShare = 0.003f;
-// Rays of the first rough mirror at a sample, and shadow rays to each emitter group from where they end.
-constexpr uint32_t kLobes = 4, kSpecularRays = 4;
+// Rays of a rough mirror that a sample sees, and of one that it sees in another; and shadow rays to each
+// emitter group from where they end.
+constexpr uint32_t kLobes = 16, kLaterLobes = 4, kSpecularRays = 4;
 
 // Follows what a sample sees in mirrors and through glass, all ways on from each surface.
 class SpecularWalk {
@@ -86,14 +87,15 @@ class SpecularWalk {
     const Polygon& polygon = view_.scene.polygons[sight.point.polygon];
     const Finish& finish = view_.scene.materials[polygon.material].finish;
     const GlassKind kind = now_.tracer.glass_kind(sight.point.polygon);
-    const uint32_t lobes = finish.roughness > 0 && kind == GlassKind::kNone && depth == 0 ? kLobes : 1;
+    const bool rough = finish.roughness > 0 && kind == GlassKind::kNone;
+    const uint32_t lobes = !rough || depth > 1 ? 1 : depth == 0 ? kLobes : kLaterLobes;
     const float part = 1 / static_cast<float>(lobes);
     for (uint32_t i = 0; i < lobes; ++i) {
       const uint64_t key = hash_of(points_.scramble, static_cast<uint64_t>(depth), 23);
       const Point2 lobe = OwenSequence(first_ * lobes + i, key).next();
       const SpecularRays rays = specular_rays(finish, kind, sight, now_.tracer.offset(), lobe);
       for (const SpecularRay& ray : {rays.mirrored, rays.passed}) go(ray, part * share, depth + 1);
-      if (lobes > 1 || finish.roughness > 0) seen = 0;  // blurred: it has no edges
+      if (rough) seen = 0;  // blurred: it has no edges
     }
   }
 
