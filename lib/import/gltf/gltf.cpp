@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "import/gltf/finish.h"
 #include "import/gltf/moving.h"
 #include "import/gltf/sampler.h"
 #include "import/poses/few_scene_keys.h"
@@ -232,8 +233,8 @@ uint32_t GltfBuilder::material(uint32_t index) {
     for (const std::string& problem : given.problems)
       refuse(problem + ", of material " + in_quotes(given.name) + ",");
     for (const std::string& note : given.notes) report_->add(note, model_.file, 1);
-    material.reflectance = given.reflectance;
     material.emission = given.emission;
+    set_finish(given, &material, model_.file, report_);
     if (given.image != kNone) material.texture = texture(given.image, given.hole_below);
   }
   material.reflectance = limited_reflectance(material.reflectance, model_.file, 1, report_);

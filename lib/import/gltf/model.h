@@ -28,7 +28,8 @@ struct GltfMesh {
 
 struct GltfMaterial {
   std::string name;
-  Rgb reflectance{1, 1, 1}, emission;
+  Rgb base_colour{1, 1, 1}, emission;
+  double metallic = 1, roughness = 1, transmission = 0, ior = 1.5;  // as the file has them
   uint32_t image = kNone;
   double hole_below = 0;  // of the image's alpha; 0: no holes
   std::vector<std::string> problems, notes;

@@ -211,7 +211,7 @@ Rgb GltfReader::colour(const std::vector<double>& numbers, Rgb missing) const {
 void GltfReader::extensions() {
   for (const std::string& name : model_.extensionsRequired) {
     if (is_one_of(name, {"KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",
-                         "KHR_mesh_quantization"}))
+                         "KHR_materials_transmission", "KHR_materials_ior", "KHR_mesh_quantization"}))
       continue;
     if (!options_.skip_unknown) fail("requires extension " + in_quotes(name) + ", which is not supported");
     report_->add("required extension " + in_quotes(name) + " left out", made_.file, 1);
@@ -263,19 +263,21 @@ void GltfReader::materials() {
     const auto& pbr = given.pbrMetallicRoughness;
     GltfMaterial material;
     material.name = name_of(given.name, "material", i);
-    const double metallic = pbr.metallicFactor;
-    if (!(metallic >= 0 && metallic <= 1))
-      fail("material " + material.name + ": its metallicFactor is not within 0..1");
-    material.reflectance = static_cast<float>(1 - metallic) * colour(pbr.baseColorFactor, {1, 1, 1});
+    const auto number = [&](const char* extension, const char* name, double otherwise) {
+      const auto found = given.extensions.find(extension);
+      if (found == given.extensions.end() || !found->second.Get(name).IsNumber()) return otherwise;
+      return found->second.Get(name).GetNumberAsDouble();
+    };
+    material.base_colour = colour(pbr.baseColorFactor, {1, 1, 1});
+    material.metallic = pbr.metallicFactor;
+    material.roughness = pbr.roughnessFactor;
+    material.transmission = number("KHR_materials_transmission", "transmissionFactor", 0);
+    material.ior = number("KHR_materials_ior", "ior", 1.5);
     material.emission = colour(given.emissiveFactor, {});
-    if (const auto found = given.extensions.find("KHR_materials_emissive_strength");
-        found != given.extensions.end()) {
-      const auto& strength = found->second.Get("emissiveStrength");
-      const double scale = strength.IsNumber() ? strength.GetNumberAsDouble() : 1;
-      if (!(scale >= 0 && scale <= 1e15))
-        fail("material " + material.name + ": its emissiveStrength is negative");
-      material.emission = static_cast<float>(scale) * material.emission;
-    }
+    const double strength = number("KHR_materials_emissive_strength", "emissiveStrength", 1);
+    if (!(strength >= 0 && strength <= 1e15))
+      fail("material " + material.name + ": its emissiveStrength is negative");
+    material.emission = static_cast<float>(strength) * material.emission;
     if (pbr.baseColorTexture.index >= 0) {
       const auto& texture = model_.textures[index(pbr.baseColorTexture.index, model_.textures.size(),
                                                   "material " + material.name + ": uses texture")];
@@ -291,12 +293,10 @@ void GltfReader::materials() {
     if (given.alphaMode == "BLEND") material.hole_below = 0.5 / std::max(alpha, 1e-6);
     if (given.alphaMode == "BLEND")
       material.notes.push_back("alphaMode BLEND is taken as holes where alpha is below a half");
-    if (given.extensions.contains("KHR_materials_transmission"))
-      material.problems.push_back("KHR_materials_transmission");
     if (given.extensions.contains("KHR_materials_unlit"))
       material.notes.push_back("KHR_materials_unlit is taken as diffuse");
     if (pbr.metallicRoughnessTexture.index >= 0)
-      material.notes.push_back("metallicRoughnessTexture is ignored: surfaces are diffuse");
+      material.notes.push_back("metallicRoughnessTexture is ignored");
     made_.materials.push_back(std::move(material));
   }
 }

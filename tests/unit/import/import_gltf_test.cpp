@@ -293,6 +293,33 @@ TEST_F(ImportGltf, MaterialsMeshesLightsAndCameras) {
   EXPECT_EQ(scene.cameras[0].keys[0].fov, 0.8);
 }
 
+// A metal reflects by its facets alone, of alpha roughness^2; of half glass, half of the base colour is
+// transmitted and half reflected diffusely.
+TEST_F(ImportGltf, MetalsMirrorAndTransmissionMakesGlass) {
+  const auto material = [&](const std::string& factors, const std::string& more) {
+    Gltf file;
+    file.quad();
+    file.nodes = R"([{"mesh":0}])";
+    file.materials = R"([{"name":"m","pbrMetallicRoughness":{"baseColorFactor":[1,0.5,0.25,1])" + factors +
+                     "}" + more + "}]";
+    return import(file).materials.at(0);
+  };
+  const Material gold = material(R"(,"metallicFactor":1,"roughnessFactor":0.5)", "");
+  EXPECT_TRUE(is_black(gold.reflectance));
+  EXPECT_EQ(gold.finish.specular, (Rgb{1, 0.5f, 0.25f}));
+  EXPECT_EQ(gold.finish.roughness, 0.25f);
+  EXPECT_TRUE(gold.finish.metallic);
+  const Material half = material(R"(,"metallicFactor":0)",
+                                 R"(,"extensions":{"KHR_materials_transmission":{"transmissionFactor":0.5},)"
+                                 R"("KHR_materials_ior":{"ior":1.25}})");
+  EXPECT_EQ(half.finish.transmission, (Rgb{0.5f, 0.25f, 0.125f}));
+  EXPECT_EQ(half.finish.ior, 1.25f);
+  EXPECT_TRUE(half.finish.fresnel);
+  EXPECT_NEAR(half.reflectance.g, 0.25, 1e-6);
+  EXPECT_TRUE(is_plain(material(R"(,"metallicFactor":0)", "").finish));
+  EXPECT_THROW(material(R"(,"roughnessFactor":2)", ""), BadInput);
+}
+
 // A picture of two pixels, the second with an alpha of 100 / 255. Its opacity is moved so that the limit is a
 // half.
 TEST_F(ImportGltf, AlphaGivesHolesWhereTheModeSaysSo) {

@@ -1,0 +1,15 @@
+// Finishes of glTF's materials: metals are mirrors, and what transmits is glass.
+#pragma once
+
+#include <string>
+
+#include "import/gltf/model.h"
+#include "import/import.h"
+#include "scene/scene.h"
+
+namespace strad {
+
+// Sets the reflectance and the finish of `material`, of which the emission is set. `file`: for notes.
+void set_finish(const GltfMaterial& from, Material* material, const std::string& file, ImportReport* report);
+
+}  // namespace strad
