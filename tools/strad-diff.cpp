@@ -40,10 +40,10 @@ DiffOptions parse_options(int argc, char** argv) {
   options.number("--flicker", "X", &o.flicker, "fail when the flicker of sequence B is above X");
   options.text("-f,--frames", "LIST", &o.frames,
                "only these frames of sequences, as 1:600, 1:600:10 or 61,150:152");
-  options.text("--image", "OUT", &o.files.heat_map, "write a heat map, white from half the mean of A on");
-  options.text("--twin", "A2", &o.files.twin,
+  options.path("--image", "OUT", &o.files.heat_map, "write a heat map, white from half the mean of A on");
+  options.path("--twin", "A2", &o.files.twin,
                "a second rendering of A, whose noise is independent and is taken out");
-  options.text("--ignore", "LABELS", &o.files.labels,
+  options.path("--ignore", "LABELS", &o.files.labels,
                "leave out pixels that are not 0 in this 8-bit picture");
   options.integer("--ignore-bits", "N", &o.files.label_bits,
                   "of LABELS look at these bits only (default 255)");

@@ -58,7 +58,7 @@ FrameTool parse_options(int argc, char** argv) {
   options.output("write files; for several frames a pattern such as frame.%04d.exr");
   options.flag("--missing", &request.missing,
                "only frames whose files are absent, damaged or of another stream (EXR and PNG)");
-  options.text("--stats", "FILE", &tool.stats, "write what the frames cost to FILE, as JSON");
+  options.path("--stats", "FILE", &tool.stats, "write what the frames cost to FILE, as JSON");
   options.jobs();
   options.file("STREAM", &request.stream, "the stream; standard input when absent or -");
   // A frame has the same bytes whichever frames are made with it, and from wherever the stream comes.

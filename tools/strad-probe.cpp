@@ -38,7 +38,7 @@ ProbeTool parse_options(int argc, char** argv) {
   options.texts(
       "--at", "X,Y,Z[,NX,NY,NZ]", &at,
       "the surface nearest to this point at rest, its side that faces N (default front); repeatable");
-  options.text("--points", "FILE", &points, "more points from FILE, one a line");
+  options.path("--points", "FILE", &points, "more points from FILE, one a line");
   options.integer("-n,--samples", "N", &samples, "instants, from the beginning to the end (default 101)");
   options.flag("--frames", &tool.frames, "at the frames of the animation instead");
   options.choice("--direct", {"pixel", "mesh", "none"}, &direct,

@@ -55,9 +55,9 @@ SolveArguments parse_arguments(int argc, char** argv) {
   options.text("--frames", "A:B", &frames, "solve only the slab of the frames A to B");
   options.number("--at", "T", &a.solve.instant, "solve the single instant T, seconds");
   options.flag("--no-clusters", &no_clusters, "link surfaces only, for comparison");
-  options.text("--stats", "FILE", &a.stats, "write what the solve did and cost to FILE, as JSON");
+  options.path("--stats", "FILE", &a.stats, "write what the solve did and cost to FILE, as JSON");
   options.unrecorded("--stats", true);
-  options.text("--links", "FILE", &a.links,
+  options.path("--links", "FILE", &a.links,
                "write how many links arrive at each leaf to FILE, as a PLY mesh");
   options.unrecorded("--links", true);
   options.file("STREAM", &a.stream, "scene stream; absent or -: standard input");

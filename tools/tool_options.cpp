@@ -5,24 +5,20 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
+#include <map>
 
 #include "base/error.h"
 #include "base/likeness.h"
-#include "base/parallel.h"
+#include "tool_completion.h"
 
 namespace strad {
-namespace {
-
-constexpr int kMostJobs = 1024;
-
-}  // namespace
 
 struct Options::State {
   CLI::App app;
   std::string tool;
-  Common* common;
   std::vector<Unrecorded> unrecorded;
   std::string provenance;
+  std::map<const CLI::Option*, OptionValue> takes;  // the others take what has no names
 
   State(const std::string& name, const std::string& about) : app(about, name), tool(name) {}
 
@@ -57,11 +53,30 @@ struct Options::State {
                                            : CLI::MultiOptionPolicy::TakeLast);
     return option;
   }
+
+  CompletedOption completed(const CLI::Option& option) const {
+    CompletedOption result;
+    for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) result.names.push_back("--" + name);
+    result.help = option.get_description();
+    result.repeatable = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+    if (option.get_items_expected_max() == 0) return result;
+    result.value = option.get_type_name();
+    const auto found = takes.find(&option);
+    result.takes = found == takes.end() ? OptionValue::kOther : found->second;
+    return result;
+  }
+
+  void print_completion(const std::string& shell) const {
+    std::vector<CompletedOption> options;
+    for (const CLI::Option* option : app.get_options())
+      if (!option->get_positional()) options.push_back(completed(*option));
+    std::cout << completion_for(shell, tool, options);
+  }
 };
 
 Options::Options(const std::string& tool, const std::string& about, Common* common)
-    : state_(std::make_unique<State>(tool, about)) {
-  state_->common = common;
+    : common_(common), state_(std::make_unique<State>(tool, about)) {
   CLI::App& app = state_->app;
   app.set_help_flag("-h,--help", "print this help and exit");
   app.set_version_flag("--version", tool + " " STRAD_VERSION, "print the version and exit");
@@ -72,17 +87,6 @@ Options::Options(const std::string& tool, const std::string& about, Common* comm
 }
 
 Options::~Options() = default;
-
-void Options::output(const std::string& help) {
-  text("-o,--output", "FILE", &state_->common->output, help);
-  for (const char* name : {"-o", "--output"}) unrecorded(name, true);
-}
-
-void Options::jobs() {
-  integer("-j,--jobs", "N", &state_->common->jobs,
-          "threads to use; the result does not depend on it (default: all cores)");
-  for (const char* name : {"-j", "--jobs"}) unrecorded(name, true);
-}
 
 void Options::flag(const std::string& names, bool* variable, const std::string& help) {
   state_->app.add_flag(names, *variable, help);
@@ -96,6 +100,12 @@ void Options::text(const std::string& names, const std::string& value, std::stri
 void Options::texts(const std::string& names, const std::string& value, std::vector<std::string>* variable,
                     const std::string& help) {
   state_->add(names, value, help, true, [=](const std::string& word) { variable->push_back(word); });
+}
+
+void Options::path(const std::string& names, const std::string& value, std::string* variable,
+                   const std::string& help) {
+  const auto take = [=](const std::string& word) { *variable = word; };
+  state_->takes[state_->add(names, value, help, false, take)] = OptionValue::kPath;
 }
 
 void Options::number(const std::string& names, const std::string& value, double* variable,
@@ -126,10 +136,11 @@ void Options::choice(const std::string& names, const std::vector<std::string>& w
                      const std::string& help) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : "|") + word;
-  state_->add(names, list, help, false, [=](const std::string& word) {
+  const CLI::Option* option = state_->add(names, list, help, false, [=](const std::string& word) {
     if (std::find(words.begin(), words.end(), word) == words.end()) fail_option(names, word, list);
     *variable = word;
   });
+  state_->takes[option] = OptionValue::kWord;
 }
 
 void Options::file(const std::string& value, std::string* variable, const std::string& help, bool required) {
@@ -149,6 +160,10 @@ void Options::unrecorded(const std::string& name, bool has_value) {
 }
 
 void Options::parse(int argc, char** argv) {
+  if (argc == 3 && argv[1] == std::string_view("--completion")) {
+    state_->print_completion(argv[2]);
+    throw Finished{};
+  }
   state_->provenance = software() + recorded_arguments(argc, argv, state_->unrecorded);
   try {
     state_->app.parse(argc, argv);
@@ -163,10 +178,7 @@ void Options::parse(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw BadInput(std::string(error.what()) + "; see " + state_->tool + " --help");
   }
-  const int jobs = state_->common->jobs;
-  if (jobs < 0 || jobs > kMostJobs)
-    fail_option("-j,--jobs", std::to_string(jobs), "0.." + std::to_string(kMostJobs));
-  if (jobs > 0) set_thread_count(jobs);
+  apply_common();
 }
 
 const std::string& Options::provenance() const { return state_->provenance; }

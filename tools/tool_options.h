@@ -35,6 +35,8 @@ class Options {
             const std::string& help);
   void texts(const std::string& names, const std::string& value, std::vector<std::string>* variable,
              const std::string& help);  // repeatable, one value each
+  void path(const std::string& names, const std::string& value, std::string* variable,
+            const std::string& help);  // a text that names a file
   void number(const std::string& names, const std::string& value, double* variable, const std::string& help);
   void number(const std::string& names, const std::string& value, std::optional<double>* variable,
               const std::string& help);
@@ -54,8 +56,9 @@ class Options {
   // out anyway.
   void unrecorded(const std::string& name, bool has_value);
 
-  // Throws BadInput. --help and --version print and throw Finished, which run_tool turns into exit status 0.
-  // Sets the number of threads when -j was declared.
+  // Throws BadInput. --help and --version print and throw Finished, which run_tool turns into exit status 0;
+  // so does `--completion bash|zsh` alone, which the build runs (strad(7)). Sets the number of threads when
+  // -j was declared.
   void parse(int argc, char** argv);
 
   // "strad-x VERSION arguments as typed".
@@ -64,6 +67,9 @@ class Options {
 
  private:
   struct State;
+  void apply_common();  // what was given, or BadInput
+
+  Common* common_;
   std::unique_ptr<State> state_;
 };
 

@@ -7,6 +7,8 @@ for source in "$STRAD_SOURCE_DIR"/tools/strad-*.cpp; do
   tool=$(basename "$source" .cpp)
   opt/strad/bin/$tool --version >/dev/null
   test -s opt/strad/share/man/man1/$tool.1
+  test -s opt/strad/share/bash-completion/completions/$tool
+  test -s opt/strad/share/zsh/site-functions/_$tool
 done
 test -s opt/strad/share/man/man5/strad.5
 test -s opt/strad/share/man/man7/strad.7
