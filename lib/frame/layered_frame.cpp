@@ -61,6 +61,16 @@ std::string layer_path(const std::string& path, const std::string& word) {
   return (whole.parent_path() / (stem + whole.extension().string())).string();
 }
 
+namespace {
+
+// Of one layer of several, or of the only one.
+std::string layer_file(const std::string& path, const std::vector<LayerKind>& kinds,
+                       const std::string& word) {
+  return kinds.size() > 1 ? layer_path(path, word) : path;
+}
+
+}  // namespace
+
 void require_layer_files(const std::string& path, const std::vector<LayerKind>& kinds) {
   if (path.empty() || path == "-")
     throw BadInput("--layers: expected -o PATTERN, such as -o 'frame.%04d.exr'");
@@ -70,9 +80,9 @@ void require_layer_files(const std::string& path, const std::vector<LayerKind>& 
 }
 
 std::vector<std::string> layer_files(const std::string& path, const std::vector<LayerKind>& kinds) {
-  if (kinds.size() == 1 || format_of(path) == "exr") return {path};
+  if (format_of(path) == "exr") return {path};
   std::vector<std::string> files;
-  for (const LayerKind kind : kinds) files.push_back(layer_path(path, word_of(kind)));
+  for (const LayerKind kind : kinds) files.push_back(layer_file(path, kinds, word_of(kind)));
   return files;
 }
 
@@ -90,7 +100,7 @@ void save_layered_frame(const std::string& path, const LayeredImage& image,
       known.white = 1;
     }
     if (word == "albedo") known.tone = ToneCurve::kSrgb, known.white = 1;
-    save_image(kinds.size() > 1 ? layer_path(path, word) : path, picture, known, facts);
+    save_image(layer_file(path, kinds, word), picture, known, facts);
   }
 }
 

@@ -25,13 +25,12 @@ std::string layer_path(const std::string& path, const std::string& word);
 // Throws BadInput unless `path`, as typed for --output, names files that can hold the layers.
 void require_layer_files(const std::string& path, const std::vector<LayerKind>& kinds);
 
-// The files of a frame of more than one layer: one for all if `path` names an EXR file, else one for each, at
-// layer_path(). A single layer has the file `path`.
+// The files of a frame in layers: `path` if that names an EXR file or there is but one layer, else one file
+// for each layer, at layer_path().
 std::vector<std::string> layer_files(const std::string& path, const std::vector<LayerKind>& kinds);
 
-// Writes the files of layer_files(). Normals are brought from
-// -1..1 to 0..1, in proportion. REQUIRES: is_picture() of all of `kinds`, the layers of `image`, unless it is
-// EXR.
+// Writes the files of layer_files(). Normals are brought from -1..1 to 0..1, in proportion, unless it is EXR.
+// REQUIRES: is_picture() of all of `kinds`, the layers of `image`, unless it is EXR.
 void save_layered_frame(const std::string& path, const LayeredImage& image,
                         const std::vector<LayerKind>& kinds, const Encoding& encoding,
                         const PictureFacts& facts);

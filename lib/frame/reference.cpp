@@ -50,14 +50,12 @@ Rgb Reference::radiance(const Instant& instant, Sight sight, PathRandom* random)
   Rgb sum, throughput{1, 1, 1};
   for (int depth = 0; sight.point.polygon != kNone; ++depth) {
     sum += throughput * diffuse(instant, sight, random);
-    const Polygon& polygon = scene_.polygons[sight.point.polygon];
-    if (depth == kMostSpecular || !has_finish(scene_, polygon)) break;
+    if (depth == kMostSpecular || !sight.finish) break;
     Point2 lobe;
     lobe.u = random->next();
     lobe.v = random->next();
     const SpecularRays rays =
-        specular_rays(scene_.materials[polygon.material].finish, tracer_.glass_kind(sight.point.polygon),
-                      sight, tracer_.offset(), lobe);
+        specular_rays(tracer_.glass_kind(sight.point.polygon), sight, tracer_.offset(), lobe);
     const float mirrored = max_channel(rays.mirrored.share), all = mirrored + max_channel(rays.passed.share);
     if (!(all > 0)) break;
     const bool mirror = random->next() * double{all} < double{mirrored};

@@ -4,7 +4,6 @@
 
 #include "frame/sobol.h"
 #include "frame/specular.h"
-#include "scene/texture.h"
 
 namespace strad {
 namespace {
@@ -47,6 +46,7 @@ Sample shade_diffuse(const FrameView& view, size_t instant, const Sight& sight, 
   sample.point = sight.smooth;
   sample.front = sight.front;
   sample.base = {sight.emission, {}, sight.emission};
+  sample.varies = sight.textured || sight.finish;
   if (sight.point.polygon == kNone || is_black(sight.reflectance)) return sample;
   Rgb irradiance = view.light.irradiance(sight.point.polygon, sight.front, sight.at, &sample.leaf);
   sample.base.indirect = reflected(
@@ -79,24 +79,25 @@ constexpr uint32_t kLobes = 16, kLaterLobes = 4, kSpecularRays = 4;
 class SpecularWalk {
  public:
   SpecularWalk(const FrameView& view, size_t instant, ShadowPoints points)
-      : view_(view), now_(view.instants[instant]), instant_(instant), points_(points) {
-    first_ = points.count > 0 ? points.first / points.count : points.first;
-  }
+      : view_(view),
+        now_(view.instants[instant]),
+        instant_(instant),
+        scramble_(points.scramble),
+        first_(points.count > 0 ? points.first / points.count : points.first),
+        shares_(view.group_count) {}
 
   void follow(const Sight& sight, Rgb share, int depth) {
-    const Polygon& polygon = view_.scene.polygons[sight.point.polygon];
-    const Finish& finish = view_.scene.materials[polygon.material].finish;
     const GlassKind kind = now_.tracer.glass_kind(sight.point.polygon);
-    const bool rough = finish.roughness > 0 && kind == GlassKind::kNone;
+    const bool rough = sight.finish->roughness > 0 && kind == GlassKind::kNone;
     const uint32_t lobes = !rough || depth > 1 ? 1 : depth == 0 ? kLobes : kLaterLobes;
     const float part = 1 / static_cast<float>(lobes);
+    const uint64_t key = hash_of(scramble_, static_cast<uint64_t>(depth), 23);
     for (uint32_t i = 0; i < lobes; ++i) {
-      const uint64_t key = hash_of(points_.scramble, static_cast<uint64_t>(depth), 23);
       const Point2 lobe = OwenSequence(first_ * lobes + i, key).next();
-      const SpecularRays rays = specular_rays(finish, kind, sight, now_.tracer.offset(), lobe);
+      const SpecularRays rays = specular_rays(kind, sight, now_.tracer.offset(), lobe);
       for (const SpecularRay& ray : {rays.mirrored, rays.passed}) go(ray, part * share, depth + 1);
-      if (rough) seen = 0;  // blurred: it has no edges
     }
+    if (rough) seen = 0;  // blurred: it has no edges
   }
 
   Rgb sum;
@@ -111,23 +112,22 @@ class SpecularWalk {
       seen = mix64(seen);
       return;
     }
-    // A stack of shares, for the walk shades surfaces one within another.
-    std::vector<GroupShare> shares(view_.group_count);
-    const uint64_t key = hash_of(points_.scramble, static_cast<uint64_t>(depth), 29);
+    const uint64_t key = hash_of(scramble_, static_cast<uint64_t>(depth), 29);
     const Sample sample =
-        shade_diffuse(view_, instant_, sight, {first_ * kSpecularRays, kSpecularRays, key}, shares.data());
-    sum += share * light_of(view_, sample, shares.data()).all;
+        shade_diffuse(view_, instant_, sight, {first_ * kSpecularRays, kSpecularRays, key}, shares_.data());
+    sum += share * light_of(view_, sample, shares_.data()).all;
     const Polygon& polygon = view_.scene.polygons[sight.point.polygon];
     seen = hash_of(seen, polygon.object * uint64_t{2} + sight.front, polygon.material);
     seen = hash_of(seen, sample.spots, sample.leaf);
-    if (has_finish(view_.scene, polygon) && depth < kMostSpecular) follow(sight, share, depth);
+    if (sight.finish && depth < kMostSpecular) follow(sight, share, depth);
   }
 
   const FrameView& view_;
   const FrameInstant& now_;
   size_t instant_;
-  ShadowPoints points_;
-  uint32_t first_;  // of the sample among those that share points_.scramble
+  uint64_t scramble_;
+  uint32_t first_;                  // of the sample among those that share scramble_
+  std::vector<GroupShare> shares_;  // of the surface that is being shaded
 };
 
 }  // namespace
@@ -135,8 +135,7 @@ class SpecularWalk {
 Sample shade(const FrameView& view, size_t instant, const Sight& sight, ShadowPoints points,
              GroupShare* shares) {
   Sample sample = shade_diffuse(view, instant, sight, points, shares);
-  if (sight.point.polygon == kNone || !has_finish(view.scene, view.scene.polygons[sight.point.polygon]))
-    return sample;
+  if (!sight.finish) return sample;
   SpecularWalk walk(view, instant, points);
   walk.follow(sight, {1, 1, 1}, 0);
   sample.base.specular = walk.sum;
@@ -179,12 +178,6 @@ bool evenly_lit(const FrameView& view, const GroupShare* shares) {
     return (shadow.free == 0 || shadow.free == shadow.rays) &&
            (shadow.through_glass == 0 || shadow.through_glass == shadow.free);
   });
-}
-
-bool textured(const FrameView& view, const Sample& sample) {
-  if (sample.point.polygon == kNone) return false;
-  const Polygon& polygon = view.scene.polygons[sample.point.polygon];
-  return has_texture(view.scene, polygon) || has_finish(view.scene, polygon);
 }
 
 }  // namespace strad

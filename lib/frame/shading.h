@@ -66,6 +66,7 @@ struct Sample {
   uint32_t leaf = kNone;  // of the mesh, where elements show
   uint64_t spots = 0;     // which of them reach the point, and what a mirror or glass shows there
   Light base;             // of all but emitter groups
+  bool varies = false;    // within a pixel: the surface is textured, a mirror or glass
 };
 
 // What is seen through (x, y), pixels, at an instant.
@@ -92,9 +93,6 @@ bool on_one_surface(const FrameView& view, const Sample& a, const Sample& b);
 // Do both lie on one smooth surface, in one leaf if leaves are shown, and in the light of the same
 // spotlights?
 bool alike(const FrameView& view, const Sample& a, const Sample& b);
-
-// Does its light vary over the surface: is its reflectance from a texture, or is it a mirror or glass?
-bool textured(const FrameView& view, const Sample& sample);
 
 // Is each emitter group seen by all of the shadow rays to it, or by none?
 bool evenly_lit(const FrameView& view, const GroupShare* shares);

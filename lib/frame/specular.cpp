@@ -38,7 +38,8 @@ Vec3 above(Vec3 direction, Vec3 facet) {
   return height >= kLeast ? direction : normalized(direction + (kLeast - height) * facet);
 }
 
-SpecularRay rough_ray(const Finish& finish, const Sight& sight, Vec3 normal, Point2 lobe) {
+SpecularRay rough_ray(const Sight& sight, Vec3 normal, Point2 lobe) {
+  const Finish& finish = *sight.finish;
   const Frame frame = frame_about(normal);
   const Vec3 back = -sight.direction;
   const Vec3 view{dot(back, frame.tangent), dot(back, frame.bitangent), std::max(1e-6, dot(back, normal))};
@@ -55,8 +56,8 @@ SpecularRay rough_ray(const Finish& finish, const Sight& sight, Vec3 normal, Poi
 
 }  // namespace
 
-SpecularRays specular_rays(const Finish& finish, GlassKind kind, const Sight& sight, double offset,
-                           Point2 lobe) {
+SpecularRays specular_rays(GlassKind kind, const Sight& sight, double offset, Point2 lobe) {
+  const Finish& finish = *sight.finish;
   const Vec3 normal = facing_normal(sight), facet = sight.point.normal;
   const double cosine = std::clamp(-dot(sight.direction, normal), 1e-6, 1.0);
   const bool solid = kind == GlassKind::kSolid || kind == GlassKind::kInverted;
@@ -64,7 +65,7 @@ SpecularRays specular_rays(const Finish& finish, GlassKind kind, const Sight& si
   const double ior = solid && !outside ? 1 / double{finish.ior} : double{finish.ior};
   SpecularRays rays;
   if (kind == GlassKind::kNone && finish.roughness > 0) {
-    rays.mirrored = rough_ray(finish, sight, normal, lobe);
+    rays.mirrored = rough_ray(sight, normal, lobe);
   } else {
     rays.mirrored.direction = mirrored(sight.direction, normal);
     rays.mirrored.share =

@@ -3,7 +3,7 @@
 
 #include "base/rng.h"
 #include "frame/surfaces.h"
-#include "light/glass.h"
+#include "scene/glass.h"
 
 namespace strad {
 
@@ -22,7 +22,7 @@ struct SpecularRays {
 // The rays that go on from where `sight.direction` met a surface. Solid glass bends them; panes and glass
 // that is no dielectric do not. `lobe`: uniform in the unit square, which facet of a rough mirror is met.
 // `offset`: m, by which rays are lifted off the surface.
-SpecularRays specular_rays(const Finish& finish, GlassKind kind, const Sight& sight, double offset,
-                           Point2 lobe);
+// REQUIRES: a finish.
+SpecularRays specular_rays(GlassKind kind, const Sight& sight, double offset, Point2 lobe);
 
 }  // namespace strad

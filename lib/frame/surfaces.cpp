@@ -9,6 +9,8 @@ namespace strad {
 Surfaces::Surfaces(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer_(tracer) {
   planes_.reserve(scene.polygons.size());
   for (const Polygon& polygon : scene.polygons) planes_.push_back(plane_of(scene, polygon));
+  for (const Material& material : scene.materials)
+    finishes_.push_back(is_plain(material.finish) ? nullptr : &material.finish);
 }
 
 Surfaces::Plane Surfaces::plane_of(const Scene& scene, const Polygon& polygon) {
@@ -46,7 +48,7 @@ SurfacePoint Surfaces::smooth_point(const Polygon& polygon, const Sight& sight, 
   return {pose * lifted, rotate(pose, normalized(normal)), sight.point.polygon};
 }
 
-Sight Surfaces::at(const Instant& instant, uint32_t p, bool front, Vec3 rest_point) const {
+Sight Surfaces::at(const Instant& instant, uint32_t p, bool front, Vec3 rest_point, Vec3 direction) const {
   const Polygon& polygon = scene_.polygons[p];
   const Material& material = scene_.materials[polygon.material];
   const Plane& plane = planes_[p];
@@ -59,7 +61,10 @@ Sight Surfaces::at(const Instant& instant, uint32_t p, bool front, Vec3 rest_poi
                           : parametric_of(scene_, polygon, rest_point);
   sight.smooth = polygon.is_smooth() ? smooth_point(polygon, sight, pose, rest_point) : sight.point;
   sight.reflectance = material.reflectance;
-  if (has_texture(scene_, polygon)) {
+  sight.finish = finishes_[polygon.material];
+  sight.direction = direction;
+  sight.textured = has_texture(scene_, polygon);
+  if (sight.textured) {
     const Vec2 uv = texture_uv(scene_, polygon, sight.at);
     sight.reflectance = sight.reflectance * texture_colour(scene_.textures[material.texture], uv);
   }
@@ -67,31 +72,20 @@ Sight Surfaces::at(const Instant& instant, uint32_t p, bool front, Vec3 rest_poi
   return sight;
 }
 
-namespace {
-
-Sight seen_along(Vec3 direction, Sight sight) {
-  sight.direction = direction;
-  return sight;
+Sight Surfaces::seen(const Instant& instant, const SurfaceHit& hit, Vec3 direction) const {
+  return hit.polygon == kNone ? Sight{} : at(instant, hit.polygon, hit.front, hit.rest_point, direction);
 }
 
-}  // namespace
-
 Sight Surfaces::look(const Instant& instant, Vec3 from, Vec3 direction) const {
-  const SurfaceHit hit = tracer_.closest(instant.world_from_body, from, direction);
-  if (hit.polygon == kNone) return {};
-  return seen_along(direction, at(instant, hit.polygon, hit.front, hit.rest_point));
+  return seen(instant, tracer_.closest(instant.world_from_body, from, direction), direction);
 }
 
 Sight Surfaces::look_through(const Instant& instant, Vec3 from, Vec3 direction, Rgb* passed) const {
-  const SurfaceHit hit = tracer_.closest_through(instant.world_from_body, from, direction, passed);
-  if (hit.polygon == kNone) return {};
-  return seen_along(direction, at(instant, hit.polygon, hit.front, hit.rest_point));
+  return seen(instant, tracer_.closest_through(instant.world_from_body, from, direction, passed), direction);
 }
 
 Sight Surfaces::look(const PosedTracer& tracer, const Instant& instant, Vec3 from, Vec3 direction) const {
-  const SurfaceHit hit = tracer.closest(from, direction);
-  if (hit.polygon == kNone) return {};
-  return seen_along(direction, at(instant, hit.polygon, hit.front, hit.rest_point));
+  return seen(instant, tracer.closest(from, direction), direction);
 }
 
 }  // namespace strad

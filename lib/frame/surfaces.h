@@ -20,6 +20,8 @@ struct Sight {
   Rgb reflectance;
   Rgb emission;      // radiance towards the ray's origin, glow included
   Vec3 direction{};  // of the ray, unit length; zero where there was none
+  bool textured = false;
+  const Finish* finish = nullptr;  // of a mirror or glass
 };
 
 class Surfaces {
@@ -34,10 +36,12 @@ class Surfaces {
   // What the ray sees by diffuse light: see Tracer::closest_through.
   Sight look_through(const Instant& instant, Vec3 from, Vec3 direction, Rgb* passed) const;
 
-  // The point of a polygon at a rest position on it.
-  Sight at(const Instant& instant, uint32_t polygon, bool front, Vec3 rest_point) const;
+  // The point of a polygon at a rest position on it, seen by a ray of that direction, if by any.
+  Sight at(const Instant& instant, uint32_t polygon, bool front, Vec3 rest_point, Vec3 direction = {}) const;
 
  private:
+  Sight seen(const Instant& instant, const SurfaceHit& hit, Vec3 direction) const;
+
   // (p - origin) . to_u and . to_v are the parametric position of p; for quads that are no parallelograms
   // parametric_of does it.
   struct Plane {
@@ -50,7 +54,8 @@ class Surfaces {
 
   const Scene& scene_;
   const Tracer& tracer_;
-  std::vector<Plane> planes_;  // per polygon, rest
+  std::vector<Plane> planes_;            // per polygon, rest
+  std::vector<const Finish*> finishes_;  // per material; null: plain
 };
 
 }  // namespace strad

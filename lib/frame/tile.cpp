@@ -124,7 +124,7 @@ class PixelRenderer {
  private:
   std::optional<Light> smooth_base(int x, int y);
   bool is_even(const Sample& sample, const GroupShare* shares) const {
-    return evenly_lit(view_, shares) && !textured(view_, sample);
+    return evenly_lit(view_, shares) && !sample.varies;
   }
   void sample_inside(int x, int y, uint32_t count, uint32_t rays, PixelSum* sum);
   Light inside(int x, int y);
@@ -149,7 +149,7 @@ std::optional<Light> PixelRenderer::smooth_base(int x, int y) {
     sum = sum + base;
   }
   const Light of_corners = 0.25f * sum;
-  const bool texture = textured(view_, corners_->sample(x, y));
+  const bool texture = corners_->sample(x, y).varies;
   const float change = contrast(low, high);
   if (change <= (texture ? kTextureContrast : kEvenContrast)) return of_corners;
   if (texture) return std::nullopt;

@@ -48,9 +48,11 @@ class PictureOutput {
 
 using MakeFrame = std::function<void(FrameTime, const PictureFacts&)>;
 
-std::vector<std::string> files_of(const FrameRequest& request, const FilePattern& pattern, int number) {
-  const std::string path = pattern.name(number);
-  return request.layers.empty() ? std::vector<std::string>{path} : layer_files(path, request.layers);
+// Do all files of a frame show it already? `path`: that of the frame.
+bool is_there(const FrameRequest& request, const std::string& path, const PictureFacts& facts) {
+  if (request.layers.empty()) return shows(path, facts);
+  const std::vector<std::string> files = layer_files(path, request.layers);
+  return std::all_of(files.begin(), files.end(), [&](const auto& file) { return shows(file, facts); });
 }
 
 // Makes each frame, or only those of which a file is missing, and tells what it cost. `pattern`: of the
@@ -63,11 +65,7 @@ void make_each(const FrameRequest& request, const Scene& scene, const std::vecto
     report_frame(progress, i, frames.size(), frames[i].number);
     const double wall = wall_now(), cpu = cpu_now();
     const PictureFacts facts = facts_of(request, scene, stream, camera, frames[i], exposure);
-    const auto shown = [&](const std::string& file) { return shows(file, facts); };
-    const auto all_shown = [&](const std::vector<std::string>& files) {
-      return std::all_of(files.begin(), files.end(), shown);
-    };
-    const bool kept = request.missing && all_shown(files_of(request, *pattern, frames[i].number));
+    const bool kept = request.missing && is_there(request, pattern->name(frames[i].number), facts);
     if (!kept) make(frames[i], facts);
     if (request.told) request.told({frames[i].number, kept, wall_now() - wall, cpu_now() - cpu});
   }

@@ -180,7 +180,10 @@ Rgb limited_reflectance(Rgb reflectance, const std::string& file, uint32_t line,
 }
 
 void limit_energy(Material* material, const std::string& file, uint32_t line, ImportReport* report) {
-  Finish& finish = material->finish;
+  const Finish& finish = material->finish;
+  if (!(finish.ior >= kLeastIor && finish.ior <= kMostIor))
+    fail_at(file, line,
+            "found the index of refraction " + std::to_string(finish.ior) + ", expected 0.01 to 100");
   if (is_plain(finish)) return;
   const float n = finish.ior;
   const float straight = finish.fresnel ? (n - 1) * (n - 1) / ((n + 1) * (n + 1)) : 1;

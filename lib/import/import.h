@@ -31,7 +31,8 @@ constexpr float kMaxReflectance = 0.98f;
 Rgb limited_reflectance(Rgb reflectance, const std::string& file, uint32_t line, ImportReport* report);
 
 // Lowers the diffuse reflectance of a material with a finish to what mirror and glass leave of the light,
-// which is reported. What Fresnel's equations give is taken at right angles.
+// which is reported. What Fresnel's equations give is taken at right angles. Throws BadInput for an index of
+// refraction that cannot be.
 void limit_energy(Material* material, const std::string& file, uint32_t line, ImportReport* report);
 
 // What the material `name` emits: the radiance of the last light in `options` whose pattern matches it, else

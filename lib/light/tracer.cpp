@@ -347,14 +347,18 @@ bool Tracer::occluded(const std::vector<Pose>& world_from_body, Vec3 from, Vec3 
 
 bool Tracer::occluded_by(const std::vector<Pose>& world_from_body, const std::vector<bool>& mask, Vec3 from,
                          Vec3 to, Rgb* passed) const {
+  const auto any = [&](std::vector<Crossing>* crossings) {
+    for (const Group& group : state_->groups)
+      if ((mask.empty() || mask[group.body]) &&
+          state_->occluded(group, world_from_body, from, to - from, crossings))
+        return true;
+    return false;
+  };
+  if (!passed || !has_glass()) return any(nullptr);
   thread_local std::vector<Crossing> crossings;
   crossings.clear();
-  std::vector<Crossing>* const found = passed && has_glass() ? &crossings : nullptr;
-  for (const Group& group : state_->groups)
-    if ((mask.empty() || mask[group.body]) &&
-        state_->occluded(group, world_from_body, from, to - from, found))
-      return true;
-  if (!crossings.empty()) *passed = *passed * product_of(&crossings, 1e30);
+  if (any(&crossings)) return true;
+  *passed = *passed * product_of(&crossings, 1e30);
   return false;
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "light/glass.h"
+#include "scene/glass.h"
 #include "scene/scene.h"
 
 namespace strad {

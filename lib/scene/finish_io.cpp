@@ -1,22 +1,13 @@
 #include "scene/finish_io.h"
 
 #include "base/error.h"
+#include "scene/rgb_io.h"
 
 namespace strad {
 namespace {
 
 // Frozen numbers of flags.
 constexpr uint32_t kFresnel = 1, kMetallic = 2;
-
-void put_rgb(Bytes* to, Rgb rgb) {
-  for (int c = 0; c < 3; ++c) put_f32(to, rgb[c]);
-}
-
-Rgb get_rgb(ByteReader* from) {
-  Rgb rgb;
-  for (int c = 0; c < 3; ++c) rgb[c] = from->f32();
-  return rgb;
-}
 
 }  // namespace
 

@@ -1,6 +1,8 @@
 // The motion chunk to bytes and back.
 #include "scene/motion_io.h"
 
+#include "scene/rgb_io.h"
+
 namespace strad {
 namespace {
 
@@ -12,16 +14,6 @@ Vec3 get_vec3(ByteReader* from) {
   Vec3 v;
   for (int axis = 0; axis < 3; ++axis) v[axis] = from->f64();
   return v;
-}
-
-void put_rgb(Bytes* to, Rgb c) {
-  for (int channel = 0; channel < 3; ++channel) put_f32(to, c[channel]);
-}
-
-Rgb get_rgb(ByteReader* from) {
-  Rgb c;
-  for (int channel = 0; channel < 3; ++channel) c[channel] = from->f32();
-  return c;
 }
 
 void put_key(Bytes* to, const BodyKey& key) {

@@ -90,6 +90,13 @@ Vec3 point_of(const Scene& scene, const Polygon& polygon, Vec2 uv) {
   return lerp(lerp(c0, c1, uv.x), lerp(corner(scene, polygon, 3), c2, uv.x), uv.y);
 }
 
+double six_volumes(const Scene& scene, const Polygon& polygon, Vec3 origin) {
+  const auto at = [&](int c) { return scene.vertices[polygon.corners[c]] - origin; };
+  double sum = 0;
+  for (int c = 2; c < polygon.corner_count(); ++c) sum += dot(at(0), cross(at(c - 1), at(c)));
+  return sum;
+}
+
 double area_of(const Vec3* corners, int count) {
   double area = length(cross(corners[1] - corners[0], corners[2] - corners[0])) / 2;
   if (count == 4) area += length(cross(corners[2] - corners[0], corners[3] - corners[0])) / 2;

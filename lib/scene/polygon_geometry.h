@@ -9,6 +9,9 @@ namespace strad {
 // Of the front side, unit length; counter-clockwise corners seen from there.
 Vec3 polygon_normal(const Scene& scene, const Polygon& polygon);
 double polygon_area(const Scene& scene, const Polygon& polygon);  // m^2
+// Six times the volume between a polygon and `origin`, m^3, negative where its front looks there: the sum
+// over a closed surface is six times what it encloses, wherever `origin` is, but near is most exact.
+double six_volumes(const Scene& scene, const Polygon& polygon, Vec3 origin);
 // Of a triangle or a convex planar quad, m^2.
 double area_of(const Vec3* corners, int count);
 

@@ -27,6 +27,8 @@ struct Texture {
   Opacity opacity{};
 };
 
+constexpr float kLeastIor = 0.01f, kMostIor = 100;
+
 // What a surface does to light beside diffuse reflection: a mirror, or glass. The solve knows of it only what
 // goes straight through. At an angle, the share R of what comes is reflected: the specular reflectance, times
 // what Fresnel's equations say if `fresnel`. Of the rest, 1 - R, the transmission goes through.
@@ -34,7 +36,7 @@ struct Finish {
   Rgb specular;           // 0..1
   float roughness = 0;    // 0..1: alpha of a GGX distribution of facets; 0 a perfect mirror; glass is smooth
   Rgb transmission;       // 0..1, of light that is not reflected; black: opaque
-  float ior = 1.5f;       // index of refraction over that of air, > 0
+  float ior = 1.5f;       // index of refraction over that of air, kLeastIor..kMostIor
   bool fresnel = false;   // the specular reflectance is multiplied by that of a dielectric
   bool metallic = false;  // the specular reflectance grows to white at grazing angles
   bool operator==(const Finish&) const = default;
@@ -160,11 +162,7 @@ inline bool emits(const Scene& scene, const Polygon& polygon) {
   return !is_black(scene.materials[polygon.material].emission);
 }
 
-// Does it mirror or let light through?
-inline bool has_finish(const Scene& scene, const Polygon& polygon) {
-  return !is_plain(scene.materials[polygon.material].finish);
-}
-bool has_finishes(const Scene& scene);  // of any material
+bool has_finishes(const Scene& scene);  // does any material mirror or let light through?
 
 // Frame k (1-based) is the instant start + (k - 1) / rate.
 inline double frame_time(const Scene& scene, double frame) { return scene.start + (frame - 1) / scene.rate; }

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "scene/finish_io.h"
 #include "scene/motion_io.h"
+#include "scene/rgb_io.h"
 
 namespace strad {
 namespace {
@@ -130,8 +131,8 @@ void put_materials(Bytes* to, const std::vector<Material>& materials) {
   put_varint(to, materials.size());
   for (const Material& material : materials) {
     put_text(to, material.name);
-    for (int c = 0; c < 3; ++c) put_f32(to, material.reflectance[c]);
-    for (int c = 0; c < 3; ++c) put_f32(to, material.emission[c]);
+    put_rgb(to, material.reflectance);
+    put_rgb(to, material.emission);
     put_varint(to, material.texture == kNone ? 0 : uint64_t{material.texture} + 1);
   }
 }
@@ -140,8 +141,8 @@ std::vector<Material> get_materials(ByteReader* from) {
   std::vector<Material> materials(from->count(26, "materials"));
   for (Material& material : materials) {
     material.name = from->text();
-    for (int c = 0; c < 3; ++c) material.reflectance[c] = from->f32();
-    for (int c = 0; c < 3; ++c) material.emission[c] = from->f32();
+    material.reflectance = get_rgb(from);
+    material.emission = get_rgb(from);
     material.texture = from->number(kNone, "a texture") - 1;  // 0 becomes kNone
   }
   return materials;

@@ -89,13 +89,12 @@ bool is_share(Rgb rgb) {
 }
 
 void check_finish(const Material& material) {
-  constexpr float kMostIor = 100;
   const Finish& finish = material.finish;
   if (!is_share(finish.specular)) fail("material", material.name, "specular reflectance is not within 0..1");
   if (!is_share(finish.transmission)) fail("material", material.name, "transmission is not within 0..1");
   if (!(finish.roughness >= 0 && finish.roughness <= 1))
     fail("material", material.name, "roughness is not within 0..1");
-  if (!(finish.ior >= 1 / kMostIor && finish.ior <= kMostIor))
+  if (!(finish.ior >= kLeastIor && finish.ior <= kMostIor))
     fail("material", material.name, "index of refraction is not within 0.01..100");
 }
 

@@ -15,8 +15,7 @@ strad-frame -q -t 0 -s 120x90 --reference 400 -o paths.exr scene.strad
 strad-diff --rel-rmse 0.05 frame.exr paths.exr >report || { cat report; exit 1; }
 cat report
 
-# A furnace of surfaces that emit 1 and reflect 0.5 has a radiance of 2 everywhere. Seen in a mirror of 0.9 that is 1.8,
-# and so it is in a rough one, but for what its facets hide of each other.
+# A furnace of surfaces that emit 1 and reflect 0.5 has a radiance of 2 everywhere.
 cat >furnace.mtl <<'END'
 newmtl wall
 Kd 0.5 0.5 0.5
@@ -50,11 +49,11 @@ mean() { # FILE: of the numbers of a PFM file
   tail -c $((40 * 30 * 12)) "$1" | od -An -v -t f4 | awk '{ for (i = 1; i <= NF; i++) { s += $i; n++ } } END { print s / n }'
 }
 mean clear.pfm | awk '{ print "radiance around glass", $1; exit !($1 > 1.98 && $1 < 2.02) }'
-{
-  sed 's/usemtl clear/usemtl mirror/' clear.obj
-} >mirror.obj
-# The block is in the middle, so that the pixel there shows 0.9 * 2.
+sed 's/usemtl clear/usemtl mirror/' clear.obj >mirror.obj
+# The solve takes the mirror for black. The room is 16 times as large as the block, which sees nothing else, so walls see
+# the block in 1/16 of their view in the mean, at most 0.13 in the middle of a wall, at least 0.03 in a corner. With B = 1 +
+# 0.5 (1 - share) 1.88, where 1.88 is the mean B = 1 / (1 - 0.5 (1 - 1/16)), a wall has 1.81 to 1.92; of that 0.9 is seen.
 strad-import -q mirror.obj | strad-motion -q furnace.motion | strad-solve -q >mirror.strad
 strad-frame -q -s 40x30 --pfm mirror.strad >mirror.pfm
 tail -c $((40 * 30 * 12)) mirror.pfm | od -An -v -t f4 | tr -s ' ' '\n' | grep . | sed -n $(((15 * 40 + 20) * 3 + 1))p |
-  awk '{ print "radiance in a mirror", $1; exit !($1 > 1.5 && $1 < 1.82) }'
+  awk '{ print "radiance in a mirror", $1; exit !($1 > 1.62 && $1 < 1.74) }'

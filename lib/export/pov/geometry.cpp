@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "frame/specular.h"
 #include "image/srgb.h"
+#include "scene/glass.h"
 #include "scene/texture.h"
 
 namespace strad {

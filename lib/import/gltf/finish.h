@@ -9,7 +9,9 @@
 
 namespace strad {
 
-// Sets the reflectance and the finish of `material`, of which the emission is set. `file`: for notes.
-void set_finish(const GltfMaterial& from, Material* material, const std::string& file, ImportReport* report);
+// Sets the reflectance and the finish of `material`, of which the emission is set. `mean`: of its texture,
+// which the finish takes in its place. `file`: for notes. Throws BadInput.
+void set_finish(const GltfMaterial& from, Rgb mean, Material* material, const std::string& file,
+                ImportReport* report);
 
 }  // namespace strad

@@ -14,6 +14,7 @@
 #include "import/poses/few_scene_keys.h"
 #include "import/smooth_normals.h"
 #include "import/unique_names.h"
+#include "scene/texture.h"
 #include "scene/trajectory.h"
 
 namespace strad {
@@ -234,8 +235,10 @@ uint32_t GltfBuilder::material(uint32_t index) {
       refuse(problem + ", of material " + in_quotes(given.name) + ",");
     for (const std::string& note : given.notes) report_->add(note, model_.file, 1);
     material.emission = given.emission;
-    set_finish(given, &material, model_.file, report_);
     if (given.image != kNone) material.texture = texture(given.image, given.hole_below);
+    const bool textured = material.texture != kNone;
+    set_finish(given, textured ? mean_colour(scene_.textures[material.texture]) : Rgb{1, 1, 1}, &material,
+               model_.file, report_);
   }
   material.reflectance = limited_reflectance(material.reflectance, model_.file, 1, report_);
   material.name = materials_.unique(material.name);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text.h"
-
 namespace strad {
 namespace {
 
@@ -52,8 +50,6 @@ void set_mirror(const MtlMaterial& from, Material* material, ImportReport* repor
 
 void set_finish(const MtlMaterial& from, Material* material, ImportReport* report) {
   const bool lamp = !is_black(material->emission);
-  if ((from.is_glass() || from.is_mirror()) && !(from.ior >= 0.01f && from.ior <= 100))
-    fail_at(from.file, from.line, "Ni " + std::to_string(from.ior) + ", expected 0.01 to 100");
   if (from.is_glass() && lamp)
     report->add("a material that emits is opaque", from.file, from.line);
   else if (from.is_glass())

@@ -142,9 +142,8 @@ MtlPicture MtlScanner::picture(std::string_view statement, std::string_view rest
 void MtlScanner::without_effect(std::string_view word, std::string_view rest) {
   std::string_view words = rest;
   const std::optional<double> value = number_in(next_word(&words));
-  const bool nothing =
-      value &&
-      ((*value == 0 && is_one_of(word, {"Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor", "sharpness"})));
+  const bool nothing = value && *value == 0 &&
+                       is_one_of(word, {"Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor", "sharpness"});
   if (!nothing) ignore(std::string(word) + " is ignored");
 }
 

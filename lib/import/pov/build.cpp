@@ -56,6 +56,18 @@ Rgb PovBuilder::mean_of(const PovImage& image, const PovPlace& place) {
   return image_means_[image.path] = mean;
 }
 
+namespace {
+
+std::vector<float> numbers_of(const Material& material) {
+  const Finish& finish = material.finish;
+  std::vector<float> numbers{finish.ior, finish.fresnel ? 1.0f : 0.0f, finish.metallic ? 1.0f : 0.0f};
+  for (const Rgb& rgb : {material.reflectance, material.emission, finish.specular, finish.transmission})
+    numbers.insert(numbers.end(), {rgb.r, rgb.g, rgb.b});
+  return numbers;
+}
+
+}  // namespace
+
 uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& object_name, bool mapped) {
   const bool named = !surface.name.empty();
   if (const auto known = material_of_surface_.find({&surface, mapped});
@@ -91,27 +103,12 @@ uint32_t PovBuilder::material_of(const PovSurface& surface, const std::string& o
   }
   if (surface.image && mapped) material.texture = texture_of(*surface.image, surface.place);
   if (is_black(material.emission) || is_black(surface.finish.transmission)) material.finish = surface.finish;
-  if (!(material.finish.ior >= 0.01f && material.finish.ior <= 100))
-    fail_at(surface.place.file, surface.place.line, "an index of refraction is not within 0.01 to 100");
   limit_energy(&material, surface.place.file, surface.place.line, report_);
-  const Rgb r = material.reflectance, e = material.emission;
-  const Finish& f = material.finish;
   const auto same_glow = std::find(glows_.begin(), glows_.end(), varying.keys);
   const auto glow = static_cast<size_t>(same_glow - glows_.begin());
   if (same_glow == glows_.end()) glows_.push_back(varying.keys);
-  const auto [found, is_new] =
-      materials_.insert({{name,
-                          r.r,
-                          r.g,
-                          r.b,
-                          e.r,
-                          e.g,
-                          e.b,
-                          material.texture,
-                          glow,
-                          {f.specular.r, f.specular.g, f.specular.b, f.transmission.r, f.transmission.g,
-                           f.transmission.b, f.ior, f.fresnel ? 1.0f : 0.0f, f.metallic ? 1.0f : 0.0f}},
-                         static_cast<uint32_t>(scene_.materials.size())});
+  const auto [found, is_new] = materials_.insert(
+      {{name, numbers_of(material), material.texture, glow}, static_cast<uint32_t>(scene_.materials.size())});
   if (is_new) {
     material.name = material_names_.unique(name);
     if (!varying.keys.empty()) scene_.glows.push_back({found->second, varying.keys});

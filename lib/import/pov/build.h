@@ -92,10 +92,8 @@ class PovBuilder {
   UniqueNames object_names_, material_names_, spot_names_;
   std::map<std::pair<const PovSurface*, bool>, uint32_t> material_of_surface_;  // mapped or not
   std::map<std::string, Rgb> image_means_;
-  std::map<std::tuple<std::string, float, float, float, float, float, float, uint32_t, size_t,
-                      std::array<float, 9>>,
-           uint32_t>
-      materials_;                            // by name, reflectance, emission, texture, glow and finish
+  std::map<std::tuple<std::string, std::vector<float>, uint32_t, size_t>, uint32_t>
+      materials_;                            // by name, numbers, texture and glow
   std::vector<std::vector<GlowKey>> glows_;  // those that materials have, each once; the first is none
   std::map<std::string, uint32_t> textures_;
   std::vector<PovSurfacePointer> panels_;

@@ -91,7 +91,6 @@ void PovSceneReader::mirror(PovFinish* finish) {
     return;
   }
   std::vector<Rgb> colours;
-  bool grows = false;
   while (!in_.take_if("}")) {
     if (in_.take_if(",")) continue;
     if (in_.expression_is_next()) {
@@ -106,7 +105,7 @@ void PovSceneReader::mirror(PovFinish* finish) {
     }
   }
   finish->reflection = colours.empty() ? Rgb{} : colours.back();
-  grows = colours.size() > 1 && !finish->fresnel;
+  const bool grows = colours.size() > 1 && !finish->fresnel;
   if (grows && is_black(colours.front()))
     finish->fresnel = true;
   else if (grows)

@@ -74,13 +74,16 @@ void RayBundle::trace_still(const std::vector<RestRay>& rest_rays) {
   active_.resize(cells_);
   for (const RestRay& ray : rest_rays) {
     const Vec3 from = pose * ray.from, towards = rotate(pose, ray.towards);
-    const bool glass = space_.tracer.has_glass();
-    const SurfaceHit behind =
-        glass ? SurfaceHit{} : space_.tracer.closest_of(poses, space_.still_mask, from, towards, 1e30);
-    const Seen seen = weighted(
-        glass ? space_.seen_through_glass(poses, from, towards, space_.still_mask) : space_.seen_at(behind),
-        ray.weight);
-    const double reach = behind.polygon == kNone ? 1e30 : behind.distance;
+    double reach = 1e30;
+    Seen seen;
+    if (space_.tracer.has_glass()) {
+      seen = space_.seen_through_glass(poses, from, towards, space_.still_mask);
+    } else {
+      const SurfaceHit behind = space_.tracer.closest_of(poses, space_.still_mask, from, towards, reach);
+      seen = space_.seen_at(behind);
+      if (behind.polygon != kNone) reach = behind.distance;
+    }
+    seen = weighted(seen, ray.weight);
     if (!space_.swept.may_meet(from, towards, reach)) {
       always_.push_back(seen);
       always_rays_.push_back(ray);

@@ -64,13 +64,9 @@ void join_around(const Scene& scene, const Edge* begin, const Edge* end, Disjoin
     sets->join(leaves[i].ahead, leaves[(i + 1) % leaves.size()].ahead ^ 1u);
 }
 
-// Six times the signed volume between a side of a polygon and the origin: the sum over a closed surface is
-// negative when seen from within.
+// Of a side of a polygon: the sum over a closed surface is negative when seen from within.
 double volume_of(const Scene& scene, uint32_t side) {
-  const Polygon& polygon = scene.polygons[side / 2];
-  const auto at = [&](int i) { return scene.vertices[polygon.corners[i]]; };
-  double volume = 0;
-  for (int i = 2; i < polygon.corner_count(); ++i) volume += dot(at(0), cross(at(i - 1), at(i)));
+  const double volume = six_volumes(scene, scene.polygons[side / 2], scene.vertices.front());
   return side % 2 ? -volume : volume;
 }
 

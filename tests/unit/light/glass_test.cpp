@@ -1,5 +1,5 @@
 // Glass: what is solid, what is mirrored, and what goes straight through.
-#include "light/glass.h"
+#include "scene/glass.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,12 @@
-#include "light/glass.h"
+#include "scene/glass.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
-#include <utility>
 
 #include "base/disjoint_sets.h"
+#include "scene/polygon_geometry.h"
 #include "scene/texture.h"
 
 namespace strad {
@@ -16,14 +15,6 @@ namespace {
 bool is_glass(const Scene& scene, const Polygon& polygon) {
   return !is_black(scene.materials[polygon.material].finish.transmission) && !emits(scene, polygon) &&
          !may_have_holes(scene, polygon);
-}
-
-// Six times the volume between a polygon and the origin, negative where its front looks there.
-double volume_under(const Scene& scene, const Polygon& polygon, Vec3 origin) {
-  const auto at = [&](int c) { return scene.vertices[polygon.corners[c]] - origin; };
-  double sum = 0;
-  for (int c = 2; c < polygon.corner_count(); ++c) sum += dot(at(0), cross(at(c - 1), at(c)));
-  return sum;
 }
 
 // The glass of a scene in parts that hang together.
@@ -72,7 +63,7 @@ std::vector<GlassKind> GlassParts::kinds() {
   for (const auto& [key, edge] : edges_)
     if (edge.forward != edge.backward) open[parts_.find(edge.polygon)] = true;
   const Vec3 origin = scene_.vertices[scene_.polygons[glass_.front()].corners[0]];
-  for (const uint32_t p : glass_) volumes[parts_.find(p)] += volume_under(scene_, scene_.polygons[p], origin);
+  for (const uint32_t p : glass_) volumes[parts_.find(p)] += six_volumes(scene_, scene_.polygons[p], origin);
   std::vector<GlassKind> kinds(scene_.polygons.size(), GlassKind::kNone);
   for (const uint32_t p : glass_) {
     const uint32_t part = parts_.find(p);
